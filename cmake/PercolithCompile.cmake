@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# One interface target that carries the flags every room is compiled with.
+add_library(percolith_compile INTERFACE)
+target_include_directories(percolith_compile INTERFACE ${CMAKE_SOURCE_DIR}/src
+                                                       ${CMAKE_BINARY_DIR}/generated)
+# Bitwise equal results for scalar and vector code need contraction off; square roots vectorise
+# only without errno and trapping semantics. Neither flag changes the value of any operation.
+target_compile_options(percolith_compile INTERFACE -Wall -Wextra -Wshadow -Wconversion
+                                                   -ffp-contract=off -fno-math-errno
+                                                   -fno-trapping-math)
+if(PERCOLITH_WARNINGS_AS_ERRORS)
+  target_compile_options(percolith_compile INTERFACE -Werror)
+endif()
+if(PERCOLITH_NATIVE AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  target_compile_options(percolith_compile INTERFACE -march=native)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # g++ 12 reports false uninitialised reads from inside its AVX-512 intrinsics header.
+    target_compile_options(percolith_compile INTERFACE -Wno-uninitialized
+                                                       -Wno-maybe-uninitialized)
+  endif()
+endif()
+if(PERCOLITH_SANITIZE)
+  target_compile_options(percolith_compile INTERFACE -fsanitize=${PERCOLITH_SANITIZE}
+                                                     -fno-omit-frame-pointer
+                                                     -fno-sanitize-recover=all)
+  target_link_options(percolith_compile INTERFACE -fsanitize=${PERCOLITH_SANITIZE})
+endif()

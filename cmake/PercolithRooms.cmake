@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# A room is a folder under src/percolith with its own static library; its DEPENDS are the only
+# rooms it may include (tools/check_rooms.py compares them with the include lines).
+function(percolith_room name)
+  cmake_parse_arguments(room "" "" "DEPENDS;LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  set(library percolith_${name})
+  if(sources)
+    add_library(${library} STATIC ${sources})
+    set(scope PUBLIC)
+  else()
+    add_library(${library} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_link_libraries(${library} ${scope} percolith_compile ${room_LIBRARIES})
+  foreach(dependency ${room_DEPENDS})
+    target_link_libraries(${library} ${scope} percolith_${dependency})
+  endforeach()
+endfunction()
+
+# Unit tests of a room: tests/unit/<room>/test_*.cpp become one program.
+function(percolith_room_tests name)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/unit/${name}/test_*.cpp)
+  if(sources)
+    add_executable(test_${name} ${sources})
+    target_link_libraries(test_${name} PRIVATE percolith_${name} GTest::gtest GTest::gtest_main
+                                               ${ARGN})
+    target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+    gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60
+                         PROPERTIES ENVIRONMENT "OMP_WAIT_POLICY=passive"
+                         WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  endif()
+endfunction()

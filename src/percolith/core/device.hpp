@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Marks a function that is callable from host and GPU code alike. The only macro of the project.
+#if defined(__CUDACC__)
+#define PERCOLITH_DEVICE __host__ __device__ __forceinline__
+#else
+#define PERCOLITH_DEVICE inline
+#endif

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/core/vec2.hpp"
+#include "percolith/material/fluid.hpp"
+#include "percolith/material/fracture.hpp"
+#include "percolith/material/pore_rock.hpp"
+#include "percolith/time/schedule.hpp"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What a simulation is told, as plain values in SI units. The case room fills it from a file; the
+// dotted path of an option there is the path of the member here (`time.end`,
+// `boundary.left.pressure`), so that an error raised anywhere can name its option.
+namespace percolith::simulation {
+
+/// How pore pressure crosses an unbroken joint (theory 3.2).
+enum class PoreJoints { tied, finite };
+/// Which saturation weights the flow between two corners (theory 3.1).
+enum class SaturationWeight { upstream, mean };
+/// How the flow is advanced in time (theory 3.5).
+enum class Scheme { implicit, explicit_, steady };
+/// Which pressures a boundary condition or a point source acts on.
+enum class Domain { both, matrix, crack };
+
+struct MeshOptions {
+  std::string file;           ///< `.msh` or `.geo`, relative to the case file
+  double element_size = 0.0;  ///< m; > 0: upper bound of the size when a `.geo` is meshed
+};
+
+struct Model {
+  double gravity = 9.81;     ///< m/s2, along -y
+  double head_datum = 0.0;   ///< m: elevation from which head is measured
+  PoreJoints pore_joints = PoreJoints::tied;
+  double joint_factor = 100.0;  ///< n of h_j = n k/(mu L_e), for finite joints
+  SaturationWeight saturation_weight = SaturationWeight::upstream;
+};
+
+struct Material {
+  std::vector<std::string> regions;  ///< physical surfaces
+  material::PoreRock rock;
+};
+
+struct FractureGroup {
+  std::vector<std::string> groups;  ///< physical curves
+  material::Fracture fracture;
+};
+
+/// A condition on boundary edges. Exactly one of pressure, head, flux, seepage_face is given.
+struct BoundaryCondition {
+  std::vector<std::string> groups;    ///< physical curves
+  std::optional<Schedule> pressure;   ///< Pa
+  std::optional<Schedule> head;       ///< m above head_datum
+  std::optional<Schedule> flux;       ///< m/s, positive into the rock
+  std::optional<Schedule> seepage_face;  ///< Pa: outside pressure; outflow only
+  Domain on = Domain::both;           ///< for pressure, head and seepage face
+};
+
+/// Fluid brought in at a point or along fractures. Exactly one of point and fractures, and exactly
+/// one of rate and pressure, is given.
+struct Source {
+  std::optional<std::array<double, 2>> point;  ///< m
+  std::vector<std::string> fractures;          ///< names of fracture tables
+  Domain into = Domain::matrix;                ///< for a point: matrix or crack
+  std::optional<Schedule> rate;                ///< m2/s (per metre of thickness), positive inwards
+  std::optional<Schedule> pressure;            ///< Pa; fractures, or a point in a crack
+};
+
+/// State at time zero. At most one of pressure, head and water_table is given; none: pressure 0.
+struct Initial {
+  std::optional<double> pressure;          ///< Pa
+  std::optional<double> head;              ///< m
+  std::optional<double> water_table;       ///< m: y at which the hydrostatic pressure is zero
+  double saturation = 1.0;                 ///< of the pores
+  std::optional<double> crack_pressure;    ///< Pa; when absent as in the pores
+  std::optional<double> crack_saturation;  ///< when absent as in the pores
+};
+
+struct Stepping {
+  Scheme scheme = Scheme::implicit;
+  double end = 0.0;                     ///< s; unused when steady
+  std::optional<double> step;           ///< s: fixed step (implicit) or upper bound (explicit)
+  std::optional<double> initial_step;   ///< s, implicit
+  std::optional<double> maximum_step;   ///< s, implicit
+  double tolerance = 1e-3;              ///< local error per step over the pressure range, implicit
+  double safety = 0.9;                  ///< share of the stability limit used, explicit
+};
+
+/// Values written over time at points of the plane or on a line.
+struct Probe {
+  std::optional<std::array<double, 2>> point;  ///< m
+  std::optional<std::array<double, 2>> from;   ///< m: first point of a line
+  std::optional<std::array<double, 2>> to;     ///< m: last point of a line
+  int points = 101;                            ///< on the line
+  Domain in = Domain::matrix;                  ///< matrix, or crack: on the nearest fracture
+};
+
+struct Output {
+  std::vector<double> times;       ///< s
+  std::optional<double> interval;  ///< s
+  bool fields = true;              ///< write the field series
+  std::optional<double> history_interval;  ///< s between rows of history; absent: a row a frame
+};
+
+struct Setup {
+  int format = 1;
+  std::string title;
+  MeshOptions mesh;
+  Model model;
+  material::Fluid fluid;
+  std::map<std::string, Material> material;
+  std::map<std::string, FractureGroup> fracture;
+  std::map<std::string, BoundaryCondition> boundary;
+  std::map<std::string, Source> source;
+  Initial initial;
+  Stepping time;
+  Output output;
+  std::map<std::string, Probe> probe;
+};
+
+}  // namespace percolith::simulation
