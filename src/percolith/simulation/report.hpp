@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/core/vec2.hpp"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+// What a simulation tells the outside: plain values in SI units, copied out of its state.
+namespace percolith::simulation {
+
+/// The matrix as a picture sees it: one point per pore node, so that a pressure that jumps across
+/// a crack is two points at one place.
+struct MatrixFrame {
+  std::vector<Point> points;                           ///< m
+  std::vector<std::array<std::int32_t, 3>> triangles;  ///< indices into points
+  std::vector<std::int32_t> region;                    ///< per triangle, index into the region names
+  std::vector<double> pressure;                        ///< Pa, per point
+  std::vector<double> head;                            ///< m, per point; empty without gravity
+  std::vector<double> saturation;                      ///< 1, per point
+  std::vector<Point> flux;                             ///< Darcy flux, m/s, per triangle
+};
+
+/// The open cracks as a line mesh: one point per open crack node, one segment per broken joint.
+struct CrackFrame {
+  std::vector<Point> points;                          ///< m
+  std::vector<std::array<std::int32_t, 2>> segments;  ///< indices into points
+  std::vector<std::int32_t> group;                    ///< per segment, index into fracture names
+  std::vector<double> pressure;                       ///< Pa, per point
+  std::vector<double> head;                           ///< m, per point; empty without gravity
+  std::vector<double> saturation;                     ///< 1, per point
+  std::vector<double> aperture;                       ///< m, per segment
+  std::vector<double> flux;  ///< m2/s per segment, positive from its first to its second point
+};
+
+/// One moment of the field series.
+struct Frame {
+  double time = 0.0;  ///< s
+  std::int64_t step = 0;
+  MatrixFrame matrix;
+  CrackFrame cracks;
+};
+
+/// One row of a probe: quantities that do not exist there (head without gravity, aperture in the
+/// matrix) are absent from `values`. Keys carry units: `pressure_Pa`, `head_m`, `saturation`,
+/// `flux_x_m_per_s`, `flux_y_m_per_s`; in cracks `aperture_m`, `flux_m2_per_s`.
+struct ProbeRow {
+  Point place;  ///< m
+  std::vector<double> values;
+};
+
+/// All rows of one probe at one time.
+struct ProbeSample {
+  std::string name;
+  std::vector<std::string> columns;  ///< of ProbeRow::values
+  std::vector<ProbeRow> rows;
+};
+
+/// Fluid volumes (m2: m3 per metre of thickness, at reference density) since time zero.
+struct MassBalance {
+  double in = 0.0;             ///< through boundaries and sources
+  double out = 0.0;            ///< through boundaries and sources, positive
+  double stored = 0.0;         ///< growth of the content
+  double in_place = 0.0;       ///< fluid in pores and cracks now
+  double error = 0.0;          ///< in - out - stored
+  double relative_error = 0.0;  ///< |error| over (fluid in place + throughput)
+  /// Net volume let in by each condition, by its option path (`boundary.left`, `source.well`).
+  std::map<std::string, double> by_condition;
+};
+
+/// One row of the history.
+struct HistoryRow {
+  double time = 0.0;
+  std::int64_t step = 0;
+  double step_size = 0.0;  ///< s
+  double minimum_pressure = 0.0, maximum_pressure = 0.0;              ///< Pa, pores
+  double minimum_crack_pressure = 0.0, maximum_crack_pressure = 0.0;  ///< Pa; 0 without cracks
+  double minimum_saturation = 1.0;
+  MassBalance balance;
+  /// Current rate into the model of each condition, m2/s, by its option path.
+  std::map<std::string, double> rate;
+};
+
+/// Where the run stands after a step; cheap, sent every step.
+struct Progress {
+  double time = 0.0, end = 0.0, step_size = 0.0;  ///< s
+  std::int64_t step = 0;
+  std::int64_t iterations = 0;  ///< of the last implicit step
+  const char* limited_by = "";  ///< what rules the step: "tolerance", "pore flow", "crack flow", ...
+};
+
+/// What remains to be said at the end of a run.
+struct Summary {
+  double end_time = 0.0;  ///< s
+  std::int64_t steps = 0;
+  std::int64_t rejected_steps = 0;
+  std::int64_t iterations = 0;
+  std::map<std::string, double> wall_time;  ///< s per phase
+  HistoryRow last;
+  double throughput = 0.0;  ///< m2/s, of a steady run
+  std::string state_hash;   ///< of pressures, saturations and contents
+  std::vector<std::string> warnings;
+};
+
+/// Receives what a simulation has to tell, on the thread that runs it. Frames and probes come at
+/// time zero, at the output times and at the end.
+class Observer {
+public:
+  virtual ~Observer() = default;
+  virtual void on_progress(const Progress&) {}
+  virtual void on_history(const HistoryRow&) {}
+  virtual void on_frame(const Frame&) {}
+  virtual void on_probes(double /*time*/, const std::vector<ProbeSample>&) {}
+  virtual void on_warning(const std::string&) {}
+};
+
+/// A limit of the explicit time step.
+struct StepLimit {
+  std::string mechanism;  ///< "pore flow", "finite joints", "crack flow", "exchange"
+  double step = 0.0;      ///< s
+  Point place;            ///< m: where it is smallest
+};
+
+/// What `percolith check` prints.
+struct CheckReport {
+  std::int64_t triangles = 0, vertices = 0, joints = 0, broken_joints = 0, boundary_edges = 0;
+  std::int64_t pore_nodes = 0, crack_nodes = 0, unknowns = 0;
+  double area = 0.0;                                       ///< m2
+  double smallest_edge = 0.0, largest_edge = 0.0;          ///< m
+  double smallest_angle = 0.0, largest_angle = 0.0;        ///< degree
+  Point smallest_angle_place;                              ///< m
+  double fracture_length = 0.0;                            ///< m
+  std::map<std::string, double> region_area;               ///< m2
+  std::map<std::string, double> fracture_length_by_group;  ///< m, by fracture table
+  std::vector<StepLimit> limits;                           ///< smallest first
+  std::vector<std::string> warnings;
+};
+
+}  // namespace percolith::simulation
