@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # A room is a folder under src/percolith with its own static library; its DEPENDS are the only
-# rooms it may include (tools/check_rooms.py compares them with the include lines).
+# rooms it may include (tools/check_rooms.py compares them with the include lines). PRIVATE
+# libraries are seen by the room's own sources alone. A main.cpp belongs to a program, not a room.
 function(percolith_room name)
-  cmake_parse_arguments(room "" "" "DEPENDS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(room "" "" "DEPENDS;LIBRARIES;PRIVATE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   set(library percolith_${name})
   if(sources)
     add_library(${library} STATIC ${sources})
+    target_link_libraries(${library} PRIVATE ${room_PRIVATE})
     set(scope PUBLIC)
   else()
     add_library(${library} INTERFACE)
@@ -30,4 +33,15 @@ function(percolith_room_tests name)
                          PROPERTIES ENVIRONMENT "OMP_WAIT_POLICY=passive"
                          WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
   endif()
+endfunction()
+
+# Fuzz targets: every fuzz/fuzz_<name>.cpp becomes a libFuzzer program.
+function(percolith_fuzz_targets)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/fuzz_*.cpp)
+  foreach(source ${sources})
+    get_filename_component(target ${source} NAME_WE)
+    add_executable(${target} ${source})
+    target_link_libraries(${target} PRIVATE ${ARGN})
+    target_link_options(${target} PRIVATE -fsanitize=fuzzer)
+  endforeach()
 endfunction()
