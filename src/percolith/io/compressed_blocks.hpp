@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace percolith::io {
+
+/// Bytes of a block before compression.
+inline constexpr std::size_t block_size = std::size_t{1} << 18;
+
+/// `data` as VTK's XML formats store a compressed array: a header of UInt64 (number of blocks,
+/// block size, size of a last partial block or 0, compressed size of each block), then the blocks,
+/// each a zlib stream (VTK User's Guide, 11th ed., XML file formats). Equal for any number of
+/// threads.
+[[nodiscard]] std::string compress_blocks(std::span<const std::byte> data);
+
+}  // namespace percolith::io

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/io/history.hpp"
+
+#include "percolith/io/csv.hpp"
+
+namespace percolith::io {
+
+std::string history_header(const simulation::HistoryRow& row) {
+  CsvLine line;
+  for (const char* column :
+       {"time_s", "step", "step_size_s", "minimum_pressure_Pa", "maximum_pressure_Pa",
+        "minimum_crack_pressure_Pa", "maximum_crack_pressure_Pa", "minimum_saturation", "in_m2",
+        "out_m2", "stored_m2", "in_place_m2", "error_m2", "relative_error"}) {
+    line.add(std::string_view(column));
+  }
+  for (const auto& [condition, rate] : row.rate) {
+    line.add(std::string_view(condition + "_m2_per_s"));
+  }
+  return line.text();
+}
+
+std::string history_line(const simulation::HistoryRow& row, bool has_cracks) {
+  CsvLine line;
+  line.add(row.time).add(row.step).add(row.step_size);
+  line.add(row.minimum_pressure).add(row.maximum_pressure);
+  if (has_cracks) {
+    line.add(row.minimum_crack_pressure).add(row.maximum_crack_pressure);
+  } else {
+    line.add_empty().add_empty();
+  }
+  const simulation::MassBalance& balance = row.balance;
+  line.add(row.minimum_saturation).add(balance.in).add(balance.out).add(balance.stored);
+  line.add(balance.in_place).add(balance.error).add(balance.relative_error);
+  for (const auto& [condition, rate] : row.rate) {
+    line.add(rate);
+  }
+  return line.text();
+}
+
+}  // namespace percolith::io

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/simulation/report.hpp"
+
+#include <string>
+
+namespace percolith::io {
+
+/// Header line of `history.csv` for rows with the conditions of `row`; each condition adds a
+/// column `<option path>_m2_per_s`.
+[[nodiscard]] std::string history_header(const simulation::HistoryRow& row);
+
+/// `row` as a line of `history.csv`: time, step, extremes, volumes since time zero (m2: m3 per
+/// metre of thickness) and the current rate of each condition. Cells on cracks stay empty where
+/// `has_cracks` is false.
+[[nodiscard]] std::string history_line(const simulation::HistoryRow& row, bool has_cracks);
+
+}  // namespace percolith::io

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/io/results_writer.hpp"
+
+#include "percolith/io/csv.hpp"
+#include "percolith/io/field_files.hpp"
+#include "percolith/io/history.hpp"
+#include "percolith/io/probes.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace percolith::io {
+namespace {
+
+// Adds the time from its making to its end to an account.
+class Stopwatch {
+public:
+  explicit Stopwatch(double& account) : account_(account) {}
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+  ~Stopwatch() { account_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  double& account_;
+  Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace
+
+ResultsWriter::ResultsWriter(std::filesystem::path folder, ResultsOptions options)
+    : folder_(std::move(folder)), options_(options), matrix_series_(folder_ / "matrix.pvd"),
+      crack_series_(folder_ / "cracks.pvd") {}
+
+void ResultsWriter::on_history(const simulation::HistoryRow& row) {
+  const Stopwatch stopwatch(wall_time_);
+  if (!history_) {
+    history_.emplace(folder_ / "history.csv");
+    history_->append(history_header(row));
+  }
+  history_->append(history_line(row, options_.has_cracks));
+}
+
+void ResultsWriter::on_frame(const simulation::Frame& frame) {
+  if (!options_.fields) {
+    return;
+  }
+  const Stopwatch stopwatch(wall_time_);
+  make_folder(folder_ / "fields");
+  const std::string matrix = fmt::format("fields/matrix_{:06}.vtu", frames_);
+  write_matrix(folder_ / matrix, frame.time, frame.matrix);
+  matrix_series_.add(frame.time, matrix);
+  if (!frame.cracks.segments.empty()) {
+    const std::string cracks = fmt::format("fields/cracks_{:06}.vtu", frames_);
+    write_cracks(folder_ / cracks, frame.time, frame.cracks);
+    crack_series_.add(frame.time, cracks);
+  }
+  ++frames_;
+}
+
+void ResultsWriter::on_probes(double time, const std::vector<simulation::ProbeSample>& samples) {
+  const Stopwatch stopwatch(wall_time_);
+  for (const simulation::ProbeSample& sample : samples) {
+    auto file = probes_.find(sample.name);
+    if (file == probes_.end()) {
+      make_folder(folder_ / "probes");
+      const std::string name = file_name_of(sample.name) + ".csv";
+      file = probes_.try_emplace(sample.name, folder_ / "probes" / name).first;
+      file->second.append(probe_header(sample));
+    }
+    file->second.append(probe_lines(time, sample));
+  }
+}
+
+}  // namespace percolith::io

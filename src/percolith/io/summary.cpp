@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/io/summary.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace percolith::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* outcome_name(Outcome outcome) {
+  switch (outcome) {
+  case Outcome::finished:
+    return "finished";
+  case Outcome::interrupted:
+    return "interrupted";
+  case Outcome::failed:
+    break;
+  }
+  return "failed";
+}
+
+Json mass_balance(const simulation::MassBalance& balance) {
+  return {{"in_m2", balance.in},
+          {"out_m2", balance.out},
+          {"stored_m2", balance.stored},
+          {"in_place_m2", balance.in_place},
+          {"error_m2", balance.error},
+          {"relative_error", balance.relative_error},
+          {"by_condition_m2", balance.by_condition}};
+}
+
+Json extremes(const simulation::HistoryRow& last, bool has_cracks) {
+  Json values = {{"minimum_pressure_Pa", last.minimum_pressure},
+                 {"maximum_pressure_Pa", last.maximum_pressure},
+                 {"minimum_saturation", last.minimum_saturation}};
+  if (has_cracks) {
+    values["minimum_crack_pressure_Pa"] = last.minimum_crack_pressure;
+    values["maximum_crack_pressure_Pa"] = last.maximum_crack_pressure;
+  }
+  return values;
+}
+
+}  // namespace
+
+std::string summary_json(const RunRecord& record, const simulation::Summary& summary,
+                         const std::map<std::string, double>& more_wall_time) {
+  std::map<std::string, double> wall_time = summary.wall_time;
+  for (const auto& [phase, seconds] : more_wall_time) {
+    wall_time[phase] += seconds;
+  }
+  Json json;
+  json["version"] = record.version;
+  json["case_file"] = record.case_file;
+  json["title"] = record.title;
+  json["outcome"] = outcome_name(record.outcome);
+  json["reason"] = record.reason;
+  json["end_time_s"] = summary.end_time;
+  json["steps"] = summary.steps;
+  json["rejected_steps"] = summary.rejected_steps;
+  json["iterations"] = summary.iterations;
+  json["wall_time_s"] = wall_time;
+  json["mass_balance"] = mass_balance(summary.last.balance);
+  json["throughput_m2_per_s"] = summary.throughput;
+  json["rate_m2_per_s"] = summary.last.rate;
+  json["extremes"] = extremes(summary.last, !record.fractures.empty());
+  json["state_hash"] = summary.state_hash;
+  json["warnings"] = summary.warnings;
+  json["regions"] = record.regions;
+  json["fractures"] = record.fractures;
+  json["threads"] = record.threads;
+  json["processor"] = record.processor;
+  // Names come from files and need not be UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string processor_name() {
+  std::ifstream information("/proc/cpuinfo");
+  const std::string key = "model name";
+  for (std::string line; std::getline(information, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with(key) && colon != std::string::npos) {
+      return line.substr(colon + 2);
+    }
+  }
+  return "unknown";
+}
+
+}  // namespace percolith::io

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/simulation/report.hpp"
+
+#include <string>
+#include <vector>
+
+namespace percolith::io {
+
+/// How a run ended.
+enum class Outcome { finished, interrupted, failed };
+
+/// What a run knows beside the simulation's own summary.
+struct RunRecord {
+  std::string version;
+  std::string case_file;
+  std::string title;
+  Outcome outcome = Outcome::finished;
+  std::string reason;  ///< why it was interrupted or failed
+  int threads = 1;
+  std::string processor;
+  std::vector<std::string> regions;    ///< names that `region` of the fields indexes
+  std::vector<std::string> fractures;  ///< names that `fracture` of the fields indexes
+};
+
+/// Text of `summary.json`: how the run ended, steps, wall time per phase, mass balance, extremes,
+/// hash of the state. Keys carry units; a value that is not a number becomes null. Phases of
+/// `more_wall_time` (s) are added to the simulation's.
+[[nodiscard]] std::string summary_json(const RunRecord& record, const simulation::Summary& summary,
+                                       const std::map<std::string, double>& more_wall_time);
+
+/// Name of this machine's processor, "unknown" where the system does not tell.
+[[nodiscard]] std::string processor_name();
+
+}  // namespace percolith::io

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/io/time_series.hpp"
+
+#include "percolith/io/file_output.hpp"
+#include "percolith/io/xml_text.hpp"
+
+#include <fmt/format.h>
+
+namespace percolith::io {
+
+void TimeSeries::add(double time, const std::string& file) {
+  entries_ +=
+      fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", time, escape_xml(file));
+  write_file(path_,
+             "<?xml version=\"1.0\"?>\n"
+             "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+             "<Collection>\n" +
+                 entries_ + "</Collection>\n</VTKFile>\n",
+             Durability::buffered);
+}
+
+}  // namespace percolith::io

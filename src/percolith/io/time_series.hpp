@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace percolith::io {
+
+/// A ParaView collection (`.pvd`): the files of a field series with their times. It is written
+/// anew after each frame, so that it lists complete files at any moment.
+class TimeSeries {
+public:
+  /// `path` of the collection; nothing is written yet.
+  explicit TimeSeries(std::filesystem::path path) : path_(std::move(path)) {}
+  /// Adds `file`, relative to the collection, at `time` in s and writes the collection.
+  /// Throws FileError; the collection written before then stays.
+  void add(double time, const std::string& file);
+
+private:
+  std::filesystem::path path_;
+  std::string entries_;
+};
+
+}  // namespace percolith::io
