@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws one field of one frame: the matrix in colours, the cracks over it in the same colours."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import LineCollection
+from matplotlib.tri import Triangulation
+
+from percolith.run_directory import Frame, RunDirectory, RunDirectoryError
+from percolith.units import Scale, format_time, power_scale, pressure_scale
+from percolith.vtu import Grid
+
+FIELDS = ("pressure", "head", "saturation", "flux")
+_ARRAY = {"pressure": "pressure_Pa", "head": "head_m", "saturation": "saturation"}
+_LABEL = {
+    "pressure": "Pressure",
+    "head": "Hydraulic head",
+    "saturation": "Saturation",
+    "flux": "Darcy flux",
+}
+_OUTLINE = "#202020"
+
+
+@dataclass(frozen=True)
+class ColourRange:
+    """The values (SI) at the ends of the colours and the unit they are shown in."""
+
+    low: float
+    high: float
+    scale: Scale
+
+    @staticmethod
+    def of_values(field: str, values: list[np.ndarray]) -> ColourRange:
+        joined = np.concatenate(values)
+        if not np.isfinite(joined).any():
+            raise RunDirectoryError(f"{_LABEL[field].lower()}: no finite value")
+        if field == "saturation":
+            return ColourRange(0.0, 1.0, Scale(1.0, ""))
+        low, high = float(np.nanmin(joined)), float(np.nanmax(joined))
+        if high - low <= 1e-12 * max(abs(low), abs(high)):
+            low, high = low - 0.5 * (abs(low) or 1.0), high + 0.5 * (abs(high) or 1.0)
+        scale = {
+            "pressure": pressure_scale,
+            "head": lambda v: power_scale(v, "m"),
+            "flux": lambda v: power_scale(v, "m/s"),
+        }[field](np.array([low, high]))
+        return ColourRange(low, high, scale)
+
+    @staticmethod
+    def of_frame(frame: Frame, field: str) -> ColourRange:
+        return ColourRange.of_values(field, _shown_values(frame, field))
+
+    @staticmethod
+    def of_frames(run: RunDirectory, field: str) -> ColourRange:
+        """The range over all frames of a run."""
+        values = []
+        for time in run.times:
+            shown = _shown_values(run.frame(time), field)
+            values += [np.array([v.min(), v.max()]) for v in shown if v.size]
+        return ColourRange.of_values(field, values)
+
+
+def _values(grid: Grid, field: str) -> np.ndarray:
+    """Matrix or crack values of a point field. Raises RunDirectoryError where there is none."""
+    if _ARRAY[field] not in grid.point_data:
+        raise RunDirectoryError(f"no {field} in this run (head needs model.gravity > 0)")
+    return grid.point_data[_ARRAY[field]]
+
+
+def _flux_size(frame: Frame) -> np.ndarray:
+    return np.hypot(*frame.matrix.cell_data["darcy_flux_m_per_s"].T)
+
+
+def _shown_values(frame: Frame, field: str) -> list[np.ndarray]:
+    if field == "flux":
+        return [_flux_size(frame)]
+    grids = [frame.matrix] + ([frame.cracks] if frame.cracks else [])
+    return [_values(grid, field) for grid in grids]
+
+
+def _figure(points: np.ndarray):
+    """A figure that suits the shape of the model, with its axes; wide models get the bar below."""
+    width, height = np.ptp(points, axis=0)
+    is_wide = width > 2.2 * height
+    size = (8.0, 8.0 * height / width + 1.9) if is_wide else (
+        6.4 * min(1.0, 1.25 * width / height) + 1.4, 6.4 * min(height / width, 1.25) + 0.6)
+    figure, axes = plt.subplots(figsize=size, layout="constrained")
+    axes.set_aspect("equal")
+    margin = 0.01 * max(width, height)
+    axes.set_xlim(points[:, 0].min() - margin, points[:, 0].max() + margin)
+    axes.set_ylim(points[:, 1].min() - margin, points[:, 1].max() + margin)
+    axes.set_xlabel("x (m)")
+    axes.set_ylabel("y (m)")
+    return figure, axes, is_wide
+
+
+def _draw_cracks(axes, cracks: Grid, field: str, colours: dict, factor: float) -> None:
+    ends = cracks.points[cracks.cells]
+    outline = LineCollection(ends, colors=_OUTLINE, linewidths=3.4, capstyle="round")
+    if field == "flux":
+        outline.set_linewidths(1.2)
+        axes.add_collection(outline)
+        return
+    axes.add_collection(outline)
+    middle = ends.mean(axis=1)
+    values = _values(cracks, field)[cracks.cells]
+    mean = values.mean(axis=1)
+    # Two halves a segment, each in the colour a quarter of the way from its end.
+    halves = np.concatenate([np.stack([ends[:, 0], middle], 1), np.stack([middle, ends[:, 1]], 1)])
+    shown = np.concatenate([(values[:, 0] + mean) / 2, (values[:, 1] + mean) / 2])
+    axes.add_collection(LineCollection(halves, array=shown / factor, linewidths=2.0,
+                                       capstyle="round", **colours))
+
+
+def _draw_arrows(axes, frame: Frame) -> None:
+    """Direction and size of the Darcy flux on a regular grid of about 25 places across."""
+    centre = frame.matrix.points[frame.matrix.cells].mean(axis=1)
+    flux = frame.matrix.cell_data["darcy_flux_m_per_s"]
+    spacing = max(np.ptp(centre, axis=0)) / 25
+    _, chosen = np.unique(np.floor(centre / spacing).astype(np.int64), axis=0, return_index=True)
+    largest = np.percentile(np.hypot(*flux.T), 95) or 1.0
+    axes.quiver(*centre[chosen].T, *(flux[chosen].T / largest * 1.6 * spacing), angles="xy",
+                scale_units="xy", scale=1.0, width=0.0022, color="white", edgecolor=_OUTLINE,
+                linewidth=0.4, pivot="mid")
+
+
+def draw_field(run: RunDirectory, frame: Frame, field: str, path: Path, arrows: bool = False,
+               colour_range: ColourRange | None = None) -> Path:
+    """Writes the picture of `field` at the time of `frame` to `path` and returns it. Raises
+    RunDirectoryError where the run has no such field."""
+    shown = colour_range or ColourRange.of_frame(frame, field)
+    factor = shown.scale.factor
+    colours = {"cmap": "viridis", "norm": plt.Normalize(shown.low / factor, shown.high / factor)}
+    figure, axes, is_wide = _figure(frame.matrix.points)
+    mesh = Triangulation(*frame.matrix.points.T, frame.matrix.cells)
+    if field == "flux":
+        picture = axes.tripcolor(mesh, facecolors=_flux_size(frame) / factor, **colours)
+    else:
+        values = _values(frame.matrix, field)
+        picture = axes.tripcolor(mesh, values / factor, shading="gouraud", **colours)
+    if arrows or field == "flux":
+        _draw_arrows(axes, frame)
+    if frame.cracks is not None and len(frame.cracks.cells):
+        _draw_cracks(axes, frame.cracks, field, colours, factor)
+    figure.colorbar(picture, ax=axes, label=shown.scale.label(_LABEL[field]),
+                    **({"orientation": "horizontal", "aspect": 40, "shrink": 0.7} if is_wide else
+                       {"shrink": 0.85}))
+    moment = "steady state" if run.is_steady else f"t = {format_time(frame.time)}"
+    axes.set_title(f"{run.title}\n{_LABEL[field]}, {moment}", fontsize=11)
+    figure.savefig(path, dpi=120)
+    plt.close(figure)
+    return path

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws the history of a run: mass balance, its error, extremes of the pressure, rates."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from percolith.run_directory import RunDirectory, Table
+from percolith.units import Scale, power_scale, pressure_scale, time_scale
+
+
+def _draw_curves(axes, history: Table, time: Scale, curves: dict[str, str], scale: Scale,
+                 quantity: str) -> None:
+    moments = history["time_s"] / time.factor
+    colours = plt.cm.viridis(np.linspace(0.0, 0.85, max(len(curves), 2)))
+    styles = ["-", "--", "-.", ":"]
+    for i, (column, label) in enumerate(curves.items()):
+        axes.plot(moments, history[column] / scale.factor, label=label, color=colours[i],
+                  linestyle=styles[i % 4], marker=".")
+    axes.set_ylabel(scale.label(quantity))
+    axes.legend(fontsize="small", frameon=False)
+
+
+def _rates(history: Table) -> dict[str, str]:
+    ending = "_m2_per_s"
+    return {name: name.removesuffix(ending) for name in history.columns if name.endswith(ending)}
+
+
+def _extremes(history: Table) -> dict[str, str]:
+    curves = {"minimum_pressure_Pa": "pores, lowest", "maximum_pressure_Pa": "pores, highest",
+              "minimum_crack_pressure_Pa": "cracks, lowest",
+              "maximum_crack_pressure_Pa": "cracks, highest"}
+    return {name: label for name, label in curves.items()
+            if name in history and np.isfinite(history[name]).any()}
+
+
+def draw_history(run: RunDirectory, path: Path) -> Path:
+    """Writes four panels to `path` and returns it: fluid volumes, relative error of the mass
+    balance, extremes of the pressure, rate of each condition."""
+    history = run.history
+    time = time_scale(history["time_s"])
+    figure, grid = plt.subplots(2, 2, figsize=(11, 7), layout="constrained", sharex=True)
+    volumes = {"in_m2": "in", "out_m2": "out", "stored_m2": "stored"}
+    joined = np.concatenate([history[name] for name in volumes])
+    _draw_curves(grid[0, 0], history, time, volumes, power_scale(joined, "m³/m"), "Fluid volume")
+    error = {"relative_error": "error over fluid in place and throughput"}
+    _draw_curves(grid[0, 1], history, time, error, Scale(1.0, ""), "Mass balance error")
+    grid[0, 1].set_yscale("symlog", linthresh=1e-16)
+    grid[0, 1].set_ylim(bottom=0, top=max(1e-11, 2 * np.nanmax(history["relative_error"])))
+    extremes = _extremes(history)
+    joined = np.concatenate([history[name] for name in extremes])
+    _draw_curves(grid[1, 0], history, time, extremes, pressure_scale(joined), "Pressure")
+    rates = _rates(history)
+    if rates:
+        joined = np.concatenate([history[name] for name in rates])
+        _draw_curves(grid[1, 1], history, time, rates, power_scale(joined, "m²/s"),
+                     "Rate into the model")
+    grid[1, 1].set_visible(bool(rates))
+    for axes in grid.flat:
+        axes.grid(alpha=0.3)
+    for axes in grid[1]:
+        axes.set_xlabel(time.label("Time"))
+    figure.suptitle(run.title, fontsize=11)
+    figure.savefig(path, dpi=120)
+    plt.close(figure)
+    return path

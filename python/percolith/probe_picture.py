@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws the probes of a run: profiles over distance for lines, series over time for points."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from percolith.run_directory import RunDirectory, Table
+from percolith.units import Scale, format_time, power_scale, pressure_scale, time_scale
+
+_COLUMN = {"pressure": "pressure_Pa", "head": "head_m", "saturation": "saturation",
+           "flux": "flux_x_m_per_s"}
+_LABEL = {"pressure_Pa": "Pressure", "head_m": "Hydraulic head", "saturation": "Saturation",
+          "flux_x_m_per_s": "Darcy flux along x", "flux_m2_per_s": "Flux in the crack"}
+
+
+def _column(table: Table, field: str) -> str:
+    """The column of `field`; the pressure where the probe has none."""
+    wanted = _COLUMN[field]
+    if field == "flux" and wanted not in table:
+        wanted = "flux_m2_per_s"
+    return wanted if wanted in table else "pressure_Pa"
+
+
+def _scale(column: str, values: np.ndarray) -> Scale:
+    if column == "pressure_Pa":
+        return pressure_scale(values)
+    unit = {"head_m": "m", "flux_x_m_per_s": "m/s", "flux_m2_per_s": "m²/s"}.get(column, "")
+    return power_scale(values, unit) if unit else Scale(1.0, "")
+
+
+def _draw_line(axes, table: Table, column: str, is_steady: bool) -> None:
+    times = np.unique(table["time_s"])
+    scale = _scale(column, table[column])
+    colours = plt.cm.viridis(np.linspace(0, 0.92, len(times)))
+    for time, colour in zip(times, colours):
+        rows = table.at_time(time)
+        distance = np.hypot(rows["x_m"] - rows["x_m"][0], rows["y_m"] - rows["y_m"][0])
+        label = "steady state" if is_steady else format_time(time)
+        axes.plot(distance, rows[column] / scale.factor, color=colour, label=label, linewidth=1.4)
+    ends = table.at_time(times[-1])
+    start, stop = ((ends["x_m"][i], ends["y_m"][i]) for i in (0, -1))
+    axes.set_xlabel(f"Distance from ({start[0]:g}, {start[1]:g}) m towards "
+                    f"({stop[0]:g}, {stop[1]:g}) m (m)")
+    axes.set_ylabel(scale.label(_LABEL[column]))
+    if len(times) <= 12:
+        axes.legend(fontsize="small", frameon=False)
+    else:
+        unit = time_scale(times)
+        colour_map = plt.cm.ScalarMappable(plt.Normalize(times[0] / unit.factor,
+                                                         times[-1] / unit.factor), "viridis")
+        axes.figure.colorbar(colour_map, ax=axes, label=unit.label("Time"))
+
+
+def _draw_point(axes, table: Table, column: str) -> None:
+    scale, unit = _scale(column, table[column]), time_scale(table["time_s"])
+    axes.plot(table["time_s"] / unit.factor, table[column] / scale.factor, marker=".",
+              color=plt.cm.viridis(0.3))
+    axes.set_xlabel(unit.label("Time"))
+    axes.set_ylabel(scale.label(_LABEL[column]))
+
+
+def draw_probes(run: RunDirectory, field: str, path: Path) -> Path:
+    """Writes one panel a probe to `path` and returns it."""
+    names = run.probe_names
+    columns = 1 if len(names) == 1 else 2
+    rows = -(-len(names) // columns)
+    figure, grid = plt.subplots(rows, columns, figsize=(7 if columns == 1 else 11, 3.6 * rows + 0.4),
+                                layout="constrained", squeeze=False)
+    for axes, name in zip(grid.flat, names):
+        table = run.probe(name)
+        column = _column(table, field)
+        is_line = len(table.at_time()) > 1
+        if is_line:
+            _draw_line(axes, table, column, run.is_steady)
+        else:
+            _draw_point(axes, table, column)
+        axes.set_title(f"Probe {name}", fontsize=10)
+        axes.grid(alpha=0.3)
+    for axes in grid.flat[len(names):]:
+        axes.set_visible(False)
+    figure.suptitle(run.title, fontsize=11)
+    figure.savefig(path, dpi=120)
+    plt.close(figure)
+    return path

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Opens a run directory: what `percolith run` writes."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import tomllib
+import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+from percolith.vtu import Grid, read_vtu
+
+
+class RunDirectoryError(ValueError):
+    """The directory holds no results, or not those asked for."""
+
+
+@dataclass
+class Frame:
+    """The fields at one time (s): the matrix as triangles, the cracks as line segments."""
+
+    time: float
+    matrix: Grid
+    cracks: Grid | None
+
+
+@dataclass
+class Table:
+    """Columns of a CSV file by their names, in the order of the file."""
+
+    columns: dict[str, np.ndarray]
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        return self.columns[name]
+
+    def __contains__(self, name: str) -> bool:
+        return name in self.columns
+
+    def __len__(self) -> int:
+        return len(next(iter(self.columns.values()), ()))
+
+    def where(self, mask: np.ndarray) -> Table:
+        """The rows that `mask` chooses."""
+        return Table({name: values[mask] for name, values in self.columns.items()})
+
+    def at_time(self, time: float | None = None) -> Table:
+        """The rows at the time (s) nearest to `time`; the last time when None."""
+        times = np.unique(self["time_s"])
+        chosen = times[-1] if time is None else times[np.argmin(abs(times - time))]
+        return self.where(self["time_s"] == chosen)
+
+
+def read_table(path: str | os.PathLike) -> Table:
+    """Reads a CSV file with a line of names; lines that start with `#` are comments. A field that
+    is empty becomes NaN. Raises RunDirectoryError naming the file where a field is no number."""
+    with open(path, newline="") as file:
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
+    if not rows:
+        raise RunDirectoryError(f"{path}: empty table")
+    try:
+        values = np.array([[float(v or "nan") for v in row] for row in rows[1:]])
+        values = values.reshape(len(rows) - 1, len(rows[0]))
+    except ValueError as error:
+        raise RunDirectoryError(f"{path}: not a table of numbers: {error}") from error
+    return Table({name: values[:, i] for i, name in enumerate(rows[0])})
+
+
+class RunDirectory:
+    """The results of one run. Files are read when first asked for.
+
+    Raises RunDirectoryError when `path` is no directory or holds no results.
+    """
+
+    def __init__(self, path: str | os.PathLike):
+        self.path = Path(path)
+        if not self.path.is_dir():
+            raise RunDirectoryError(f"{path}: no such directory")
+        if not (self.path / "resolved.toml").is_file():
+            raise RunDirectoryError(
+                f"{path}: not a run directory (no resolved.toml); "
+                "make one with `percolith run CASE.toml --output DIR`"
+            )
+
+    @cached_property
+    def resolved(self) -> dict:
+        """The complete input with defaults, as nested dictionaries."""
+        with open(self.path / "resolved.toml", "rb") as file:
+            return tomllib.load(file)
+
+    @cached_property
+    def summary(self) -> dict:
+        """What summary.json says: end time, steps, wall time, mass balance, extremes."""
+        with open(self._file("summary.json"), encoding="utf-8") as file:
+            return json.load(file)
+
+    @cached_property
+    def history(self) -> Table:
+        """history.csv: one row a reported time."""
+        return read_table(self._file("history.csv"))
+
+    @property
+    def title(self) -> str:
+        return self.resolved.get("title", "") or self.path.name
+
+    @property
+    def is_steady(self) -> bool:
+        return self.resolved.get("time", {}).get("scheme") == "steady"
+
+    @property
+    def probe_names(self) -> list[str]:
+        return sorted(file.stem for file in (self.path / "probes").glob("*.csv"))
+
+    def probe(self, name: str) -> Table:
+        """All rows of one probe: time_s, x_m, y_m and its quantities."""
+        if name not in self.probe_names:
+            known = ", ".join(self.probe_names) or "none"
+            raise RunDirectoryError(f"{self.path}: no probe {name}; there are: {known}")
+        return read_table(self.path / "probes" / f"{name}.csv")
+
+    @cached_property
+    def times(self) -> list[float]:
+        """Times (s) of the frames, ascending."""
+        return sorted(self._matrix_files)
+
+    def frame(self, time: float | None = None) -> Frame:
+        """The frame nearest to `time` (s); the last one when None."""
+        if not self.times:
+            raise RunDirectoryError(f"{self.path}: no frames; the case sets output.fields = false")
+        chosen = self.times[-1] if time is None else min(self.times, key=lambda t: abs(t - time))
+        cracks = self._crack_files.get(chosen)
+        return Frame(chosen, read_vtu(self._matrix_files[chosen]), read_vtu(cracks) if cracks else None)
+
+    def _file(self, name: str) -> Path:
+        path = self.path / name
+        if not path.is_file():
+            raise RunDirectoryError(f"{path}: missing; did the run end? see run.log")
+        return path
+
+    @cached_property
+    def _matrix_files(self) -> dict[float, Path]:
+        return _series(self.path / "matrix.pvd")
+
+    @cached_property
+    def _crack_files(self) -> dict[float, Path]:
+        return _series(self.path / "cracks.pvd")
+
+
+def _series(path: Path) -> dict[float, Path]:
+    """The files of a ParaView collection by their time (s); empty where there is none."""
+    if not path.is_file():
+        return {}
+    entries = ElementTree.parse(path).getroot().iter("DataSet")
+    return {float(entry.get("timestep")): path.parent / entry.get("file") for entry in entries}

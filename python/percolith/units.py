@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scales of the axes: SI values in the unit that suits their size."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Scale:
+    """A unit and its value in SI: number in the unit = SI number / factor."""
+
+    factor: float
+    unit: str
+
+    def label(self, quantity: str) -> str:
+        return f"{quantity} ({self.unit})" if self.unit else quantity
+
+
+_PRESSURE = [(1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa"), (1.0, "Pa")]
+_TIME = [(86400.0, "d"), (3600.0, "h"), (60.0, "min"), (1.0, "s"), (1e-3, "ms"), (1e-6, "µs")]
+
+
+def _largest_below(steps: list[tuple[float, str]], size: float) -> Scale:
+    for factor, unit in steps:
+        if size >= factor:
+            return Scale(factor, unit)
+    return Scale(*steps[-1])
+
+
+def pressure_scale(values) -> Scale:
+    """Pa to GPa, by the largest value."""
+    size = float(np.max(np.abs(values), initial=0.0))
+    return _largest_below(_PRESSURE, size) if size > 0 else Scale(1.0, "Pa")
+
+
+def time_scale(values) -> Scale:
+    """us to days, by the largest value, so that it is at least 1."""
+    size = float(np.max(np.abs(values), initial=0.0))
+    return _largest_below(_TIME, size) if size > 0 else Scale(1.0, "s")
+
+
+def power_scale(values, unit: str) -> Scale:
+    """A power of ten times `unit`, for quantities without a usual prefix."""
+    size = float(np.max(np.abs(values), initial=0.0))
+    if size == 0 or 0.01 <= size < 1e4:
+        return Scale(1.0, unit)
+    power = int(np.floor(np.log10(size)))
+    exponent = str(power).replace("-", "\N{MINUS SIGN}")
+    return Scale(10.0**power, f"$10^{{{exponent}}}$ {unit}")
+
+
+def format_time(seconds: float) -> str:
+    """A time with the unit that suits it."""
+    scale = time_scale([seconds])
+    return f"{seconds / scale.factor:.4g} {scale.unit}"
