@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/case/option.hpp"
+#include "percolith/simulation/setup.hpp"
+
+// The options of boundary, source and initial conditions.
+namespace percolith::case_file {
+
+template <class V>
+void describe(V& option, simulation::BoundaryCondition& m) {
+  using simulation::Domain;
+  option(m.groups, Text{"groups", Need::required,
+                        "Physical curves of the mesh this condition holds on; a boundary without a "
+                        "condition is impervious."});
+  option(m.pressure, Quantity{"pressure", "Pa", finite, Need::optional, "Pressure, over time.",
+                              "no fixed pressure"});
+  option(m.head,
+         Quantity{"head", "m", finite, Need::optional,
+                  "Hydraulic head above head_datum, over time. Needs gravity.", "no fixed head"});
+  option(m.flux, Quantity{"flux", "m/s", finite, Need::optional,
+                          "Flux normal to the boundary, positive into the rock, over time.",
+                          "no given flux"});
+  option(m.seepage_face,
+         Quantity{"seepage_face", "Pa", finite, Need::optional,
+                  "Outside pressure of a face that lets fluid out but not in, over time.",
+                  "no seepage face"});
+  option(m.on, Choice<Domain>{
+                   "on",
+                   {{Domain::both, "both"}, {Domain::matrix, "matrix"}, {Domain::crack, "crack"}},
+                   "Whether pressure, head or seepage face holds for the matrix, for "
+                   "the fractures that end there, or for both."});
+}
+
+template <class V>
+void describe(V& option, simulation::Source& m) {
+  using simulation::Domain;
+  option(m.point, Quantity{"point", "m", finite, Need::optional, "Place [x, y].", "no point"});
+  option(m.fractures, Text{"fractures", Need::optional,
+                           "Names of the fracture tables the fluid is brought into."});
+  option(m.into, Choice<Domain>{"into",
+                                {{Domain::matrix, "matrix"}, {Domain::crack, "crack"}},
+                                "What the fluid enters at a point."});
+  option(m.rate, Quantity{"rate", "m2/s", finite, Need::optional,
+                          "Volume per time and metre of thickness, positive into the rock, over "
+                          "time.",
+                          "no given rate"});
+  option(m.pressure, Quantity{"pressure", "Pa", finite, Need::optional,
+                              "Pressure in the fractures, or at a point in a crack, over time.",
+                              "no fixed pressure"});
+}
+
+template <class V>
+void describe(V& option, simulation::Initial& m) {
+  option(m.pressure, Quantity{"pressure", "Pa", finite, Need::optional, "One pressure everywhere.",
+                              "0 where no head or water table is given"});
+  option(m.head, Quantity{"head", "m", finite, Need::optional,
+                          "One hydraulic head everywhere, above head_datum. Needs gravity.",
+                          "no initial head"});
+  option(m.water_table, Quantity{"water_table", "m", finite, Need::optional,
+                                 "Elevation y at which the hydrostatic pressure is zero. Needs "
+                                 "gravity.",
+                                 "no water table"});
+  option(m.saturation, Quantity{"saturation", "1", fraction, Need::optional,
+                                "Share of the pores that is filled."});
+  option(m.crack_pressure, Quantity{"crack_pressure", "Pa", finite, Need::optional,
+                                    "Pressure in the fractures.", "as in the pores"});
+  option(m.crack_saturation, Quantity{"crack_saturation", "1", fraction, Need::optional,
+                                      "Share of the fractures that is filled.", "as in the pores"});
+}
+
+}  // namespace percolith::case_file

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/case/option.hpp"
+#include "percolith/simulation/setup.hpp"
+
+// The options of the model itself: mesh, laws, fluid, rocks and fractures.
+namespace percolith::case_file {
+
+template <class V>
+void describe(V& option, simulation::MeshOptions& m) {
+  option(m.file, Text{"file", Need::required,
+                      "Gmsh mesh (.msh, version 2.2 or 4.1, ASCII or binary) or geometry (.geo, "
+                      "meshed by the gmsh program); relative to the case file."});
+  option(m.element_size, Quantity{"element_size", "m", not_negative, Need::optional,
+                                  "Upper bound of the element size when a .geo is meshed; 0 keeps "
+                                  "the sizes of the geometry."});
+}
+
+template <class V>
+void describe(V& option, simulation::Model& m) {
+  option(m.gravity, Quantity{"gravity", "m/s2", not_negative, Need::required,
+                             "Acceleration of gravity along -y: 9.81 for a vertical section, 0 for "
+                             "a horizontal plan."});
+  option(m.head_datum, Quantity{"head_datum", "m", finite, Need::optional,
+                                "Elevation y from which hydraulic head is measured, so that head = "
+                                "y - head_datum + pressure/(density gravity). Needs gravity."});
+  option(m.pore_joints,
+         Choice<simulation::PoreJoints>{
+             "pore_joints",
+             {{simulation::PoreJoints::tied, "tied"}, {simulation::PoreJoints::finite, "finite"}},
+             "How pore pressure crosses an unbroken joint: tied shares it, finite lets the fluid "
+             "pass a large conductance."});
+  option(m.joint_factor, Quantity{"joint_factor", "1", positive, Need::optional,
+                                  "Factor n of the conductance n k/(mu L) of finite joints. Needs "
+                                  "pore_joints = \"finite\"."});
+  option(m.saturation_weight, Choice<simulation::SaturationWeight>{
+                                  "saturation_weight",
+                                  {{simulation::SaturationWeight::upstream, "upstream"},
+                                   {simulation::SaturationWeight::mean, "mean"}},
+                                  "Saturation that weights the flow in partly saturated rock: that "
+                                  "of the upstream corner, or the mean of the triangle."});
+}
+
+template <class V>
+void describe(V& option, material::Fluid& m) {
+  option(m.density, Quantity{"density", "kg/m3", positive, Need::optional, "Density."});
+  option(m.viscosity,
+         Quantity{"viscosity", "Pa s", positive, Need::optional, "Dynamic viscosity."});
+  option(m.bulk_modulus, Quantity{"bulk_modulus", "Pa", positive, Need::optional,
+                                  "Bulk modulus (the inverse of the compressibility)."});
+  option(m.cavitation_pressure,
+         Quantity{"cavitation_pressure", "Pa", finite_or_minus_infinite, Need::optional,
+                  "Pressure at which voids begin to empty; \"-inf\" keeps them always full."});
+}
+
+template <class V>
+void describe(V& option, simulation::Material& m) {
+  option(m.regions, Text{"regions", Need::required,
+                         "Physical surfaces of the mesh that are made of this rock."});
+  option(m.rock.permeability,
+         Quantity{"permeability", "m2", finite, Need::required,
+                  "Intrinsic permeability: one value, or the tensor as [kxx, kyy, kxy] or "
+                  "[[kxx, kxy], [kxy, kyy]]; positive definite."});
+  option(m.rock.porosity, Quantity{"porosity", "1", positive_fraction, Need::required,
+                                   "Volume of pores over volume of rock."});
+  option(m.rock.biot_coefficient,
+         Quantity{"biot_coefficient", "1", positive_fraction, Need::optional, "Biot coefficient."});
+  option(m.rock.biot_modulus,
+         Quantity{"biot_modulus", "Pa", positive, Need::optional,
+                  "Biot modulus: pressure per fluid content at constant volume.",
+                  "bulk modulus of the fluid over porosity"});
+}
+
+template <class V>
+void describe(V& option, simulation::FractureGroup& m) {
+  option(m.groups, Text{"groups", Need::required,
+                        "Physical curves of the mesh that are fractures of this kind."});
+  option(m.fracture.initial_aperture,
+         Quantity{"initial_aperture", "m", positive, Need::required, "Hydraulic aperture."});
+  option(m.fracture.minimum_aperture, Quantity{"minimum_aperture", "m", not_negative,
+                                               Need::optional, "Lower bound of the aperture."});
+  option(m.fracture.maximum_aperture,
+         Quantity{"maximum_aperture", "m", positive_or_infinite, Need::optional,
+                  "Upper bound of the aperture that conducts."});
+  option(m.fracture.transmissivity,
+         Quantity{"transmissivity", "m3", positive, Need::optional,
+                  "Intrinsic transmissivity: permeability along the fracture times aperture.",
+                  "cubic law, aperture^3/12"});
+  option(m.fracture.exchange,
+         Quantity{"exchange", "m/(Pa s)", not_negative_or_infinite, Need::required,
+                  "Flux between the fracture and one of its faces per pressure difference; \"inf\" "
+                  "gives fracture and faces one pressure, 0 seals the faces."});
+}
+
+}  // namespace percolith::case_file

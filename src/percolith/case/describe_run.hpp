@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/case/option.hpp"
+#include "percolith/simulation/setup.hpp"
+
+// The options of time stepping and output.
+namespace percolith::case_file {
+
+template <class V>
+void describe(V& option, simulation::Stepping& m) {
+  using simulation::Scheme;
+  option(m.scheme, Choice<Scheme>{"scheme",
+                                  {{Scheme::implicit, "implicit"},
+                                   {Scheme::explicit_, "explicit"},
+                                   {Scheme::steady, "steady"}},
+                                  "implicit takes long, error-controlled steps; explicit takes "
+                                  "small ones below its stability limit; steady finds the state "
+                                  "that no longer changes."});
+  option(m.end, Quantity{"end", "s", not_negative, Need::optional,
+                         "Time at which the run ends. Required unless steady."});
+  option(m.step, Quantity{"step", "s", positive, Need::optional,
+                          "Fixed step (implicit), or upper bound of the step (explicit).",
+                          "chosen by the program"});
+  option(m.initial_step,
+         Quantity{"initial_step", "s", positive, Need::optional,
+                  "First step. Needs implicit without step.", "chosen by the program"});
+  option(m.maximum_step,
+         Quantity{"maximum_step", "s", positive, Need::optional,
+                  "Upper bound of the step. Needs implicit without step.", "no bound"});
+  option(m.tolerance, Quantity{"tolerance", "1", Bounds{0.0, 1.0, false, false}, Need::optional,
+                               "Error allowed in one step over the range of pressure. Needs "
+                               "implicit without step."});
+  option(m.safety, Quantity{"safety", "1", positive_fraction, Need::optional,
+                            "Share of the stability limit that is used. Needs explicit."});
+}
+
+template <class V>
+void describe(V& option, simulation::Output& m) {
+  option(m.times, Quantity{"times", "s", not_negative, Need::optional,
+                           "Times at which fields and probes are written, besides start and end."});
+  option(m.interval,
+         Quantity{"interval", "s", positive, Need::optional,
+                  "Time between two outputs of fields and probes.", "only start, times and end"});
+  option(m.fields, Flag{"fields", "Whether the field series is written."});
+  option(m.history_interval,
+         Quantity{"history_interval", "s", positive, Need::optional,
+                  "Time between two rows of the history.", "a row at every output"});
+}
+
+template <class V>
+void describe(V& option, simulation::Probe& m) {
+  using simulation::Domain;
+  option(m.point, Quantity{"point", "m", finite, Need::optional, "Place [x, y] of a point probe.",
+                           "no point"});
+  option(m.from, Quantity{"from", "m", finite, Need::optional,
+                          "First point [x, y] of a line probe.", "no line"});
+  option(m.to, Quantity{"to", "m", finite, Need::optional, "Last point [x, y] of a line probe.",
+                        "no line"});
+  option(m.points, Count{"points", 2, 1000000, Need::optional,
+                         "Number of points on the line, both ends included. Needs from and to."});
+  option(m.in, Choice<Domain>{"in",
+                              {{Domain::matrix, "matrix"}, {Domain::crack, "crack"}},
+                              "Whether the matrix or the nearest fracture is probed."});
+}
+
+}  // namespace percolith::case_file

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/case/units.hpp"
+
+#include "percolith/core/error.hpp"
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include <array>
+#include <cmath>
+
+namespace percolith::case_file {
+
+namespace {
+
+struct UnitDeleter {
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+};
+using UnitHandle = std::unique_ptr<ut_unit, UnitDeleter>;
+
+struct ConverterDeleter {
+  void operator()(cv_converter* converter) const { cv_free(converter); }
+};
+
+struct OwnSymbol {
+  const char* symbol;
+  const char* unit;
+};
+/// A symbol takes SI prefixes: "P" and "D" bring cP and mD.
+constexpr std::array<OwnSymbol, 3> own_symbols{{{"P", "poise"}, {"D", "darcy"}, {"deg", "degree"}}};
+
+struct KnownDimension {
+  std::string_view unit;
+  Dimension dimension;
+};
+constexpr std::array<KnownDimension, 12> known_dimensions{{
+    {"1", {"plain number", "10 %"}},
+    {"m", {"length", "5 cm"}},
+    {"m2", {"permeability", "10 mdarcy"}},
+    {"m3", {"intrinsic transmissivity", "1e-12 m3"}},
+    {"s", {"time", "3 hour"}},
+    {"m/s", {"flux", "1e-8 m/s"}},
+    {"m/s2", {"acceleration", "9.81 m/s2"}},
+    {"m2/s", {"rate per metre of thickness", "1e-2 m2/s"}},
+    {"Pa", {"pressure", "2 MPa"}},
+    {"Pa s", {"viscosity", "1 cP"}},
+    {"kg/m3", {"density", "1 g/cm3"}},
+    {"m/(Pa s)", {"exchange coefficient", "2e-7 m/(Pa s)"}},
+}};
+
+}  // namespace
+
+Dimension dimension_of(std::string_view si_unit) {
+  for (const KnownDimension& known : known_dimensions) {
+    if (known.unit == si_unit) {
+      return known.dimension;
+    }
+  }
+  return {si_unit, {}};
+}
+
+struct Units::Database {
+  struct SystemDeleter {
+    void operator()(ut_system* system) const { ut_free_system(system); }
+  };
+  std::unique_ptr<ut_system, SystemDeleter> system;
+
+  [[nodiscard]] UnitHandle parse(std::string_view unit) const {
+    return UnitHandle(ut_parse(system.get(), std::string(unit).c_str(), UT_UTF8));
+  }
+};
+
+Units::Units() : database_(std::make_unique<Database>()) {
+  ut_set_error_message_handler(ut_ignore);
+  database_->system.reset(ut_read_xml(nullptr));
+  if (!database_->system) {
+    throw FileError("cannot read the unit database of UDUNITS-2; install the package libudunits2-0 "
+                    "or set UDUNITS2_XML_PATH");
+  }
+  for (const OwnSymbol& own : own_symbols) {
+    const UnitHandle unit = database_->parse(own.unit);
+    if (!unit || ut_map_symbol_to_unit(own.symbol, UT_UTF8, unit.get()) != UT_SUCCESS) {
+      throw FileError(fmt::format("the unit database of UDUNITS-2 has no unit \"{}\"", own.unit));
+    }
+  }
+}
+
+Units::~Units() = default;
+
+Units::Converted Units::convert(double value, std::string_view unit,
+                                std::string_view si_unit) const {
+  if (unit == si_unit) {
+    return {value, {}};
+  }
+  std::string misread = misread_unit(unit);
+  if (!misread.empty()) {
+    return {std::nullopt, std::move(misread)};
+  }
+  const UnitHandle from = database_->parse(unit);
+  if (!from) {
+    return {std::nullopt, fmt::format("unknown unit \"{}\"", unit)};
+  }
+  const UnitHandle to = database_->parse(si_unit);
+  if (!to || ut_are_convertible(from.get(), to.get()) == 0) {
+    return {std::nullopt,
+            fmt::format("the unit \"{}\" is not one of {}", unit, dimension_of(si_unit).name)};
+  }
+  const std::unique_ptr<cv_converter, ConverterDeleter> converter(
+      ut_get_converter(from.get(), to.get()));
+  const double converted = converter ? cv_convert_double(converter.get(), value) : std::nan("");
+  if (std::isnan(converted) || std::isinf(converted) != std::isinf(value)) {
+    return {std::nullopt, fmt::format("the unit \"{}\" gives no number in {}", unit, si_unit)};
+  }
+  return {converted, {}};
+}
+
+}  // namespace percolith::case_file

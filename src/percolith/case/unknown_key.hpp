@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/case/node.hpp"
+#include "percolith/core/error.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace percolith::case_file {
+
+/// The problem of a key that the table `path` does not have: names the tables that do have it, or
+/// else the nearest of the `known` names.
+[[nodiscard]] InputProblem unknown_key(const Entry& entry, const std::string& path,
+                                       const std::vector<std::string_view>& known);
+
+/// The dotted paths of all options of a case file; `*` stands for a name the user chooses.
+[[nodiscard]] std::vector<std::string> option_paths();
+
+}  // namespace percolith::case_file
