@@ -96,7 +96,6 @@ say "make ${targets[0]}, second run: not root, no network"
 inside useradd --create-home newcomer
 inside chown -R newcomer "$clone"
 SECONDS=0
-isolation=--net inside setpriv --reuid=newcomer --regid=newcomer --init-groups \
-  env HOME=/home/newcomer make -C "$clone" "${targets[0]}"
+isolation=--net inside su - newcomer -c "make -C $clone ${targets[0]}"
 echo "make ${targets[0]} took $SECONDS s"
 say "passed on a bare Debian 12: ${targets[*]}"
