@@ -5,6 +5,7 @@
 #include "percolith/material/fluid.hpp"
 #include "percolith/material/fracture.hpp"
 #include "percolith/material/pore_rock.hpp"
+#include "percolith/seepage/options.hpp"
 #include "percolith/time/schedule.hpp"
 
 #include <array>
@@ -18,10 +19,8 @@
 // `boundary.left.pressure`), so that an error raised anywhere can name its option.
 namespace percolith::simulation {
 
-/// How pore pressure crosses an unbroken joint (theory 3.2).
-enum class PoreJoints { tied, finite };
-/// Which saturation weights the flow between two corners (theory 3.1).
-enum class SaturationWeight { upstream, mean };
+using seepage::PoreJoints;
+using seepage::SaturationWeight;
 /// How the flow is advanced in time (theory 3.5).
 enum class Scheme { implicit, explicit_, steady };
 /// Which pressures a boundary condition or a point source acts on.

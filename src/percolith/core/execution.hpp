@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/core/simd.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace percolith {
+
+/// Where kernels run: one element after the other on one thread (the reference), or in vector
+/// lanes on several threads. Both give the same bits.
+enum class Backend { serial, host };
+
+/// A kernel that may be called with several elements at once says so by this member.
+template <class Kernel>
+concept VectorKernel = requires {
+  requires Kernel::vectorised;
+};
+
+/// Runs loops and keeps the wall time spent in each.
+///
+/// A kernel is a small function object that holds views by value; `kernel(lane)` handles the
+/// elements of the lane, writes only what belongs to them, and reads nothing that the same loop
+/// writes. So the result does not depend on the number of threads.
+class Execution {
+public:
+  explicit Execution(Backend backend = Backend::host, int threads = 1)
+      : backend_(backend), threads_(backend == Backend::serial ? 1 : threads) {}
+
+  [[nodiscard]] int threads() const { return threads_; }
+  [[nodiscard]] Backend backend() const { return backend_; }
+
+  /// Calls `kernel` for the elements 0 .. n-1. For a vector kernel the arrays behind it are padded
+  /// to whole blocks, and the padding is handled too.
+  template <class Kernel>
+  void for_each(const std::string& name, std::int32_t n, const Kernel& kernel) {
+    const auto start = std::chrono::steady_clock::now();
+    if constexpr (VectorKernel<Kernel>) {
+      if (backend_ == Backend::host) {
+        run<VectorLane>(padded(n), kernel);
+      } else {
+        run<ScalarLane>(padded(n), kernel);
+      }
+    } else {
+      run<ScalarLane>(n, kernel);
+    }
+    book(name, start);
+  }
+
+  /// Sum of `term(i)` over 0 .. n-1 in blocks of fixed length: the same bits for any number of
+  /// threads.
+  template <class Term>
+  [[nodiscard]] double sum(std::int32_t n, const Term& term) const {
+    constexpr std::int32_t length = 1024;
+    const std::int32_t blocks = (n + length - 1) / length;
+    std::vector<double> partial(static_cast<std::size_t>(blocks));
+#pragma omp parallel for schedule(static) num_threads(threads_) if (n > smallest_parallel)
+    for (std::int32_t b = 0; b < blocks; ++b) {
+      const std::int32_t end = b + 1 < blocks ? (b + 1) * length : n;
+      double total = 0.0;
+      for (std::int32_t i = b * length; i < end; ++i) {
+        total += term(i);
+      }
+      partial[static_cast<std::size_t>(b)] = total;
+    }
+    double total = 0.0;
+    for (const double part : partial) {
+      total += part;
+    }
+    return total;
+  }
+
+  /// Adds the time since `start` to the account of `name`.
+  void book(const std::string& name, std::chrono::steady_clock::time_point start) {
+    wall_time_[name] +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+  /// Seconds spent under each name so far.
+  [[nodiscard]] const std::map<std::string, double>& wall_time() const {
+    return wall_time_;
+  }
+
+private:
+  // Below this many elements starting the threads costs more than they save.
+  static constexpr std::int32_t smallest_parallel = 4096;
+
+  template <class Lane, class Kernel>
+  void run(std::int32_t n, const Kernel& kernel) const {
+#pragma omp parallel for schedule(static) num_threads(threads_) if (n > smallest_parallel)
+    for (std::int32_t i = 0; i < n; i += Lane::width) {
+      kernel(Lane{i});
+    }
+  }
+
+  Backend backend_;
+  int threads_;
+  std::map<std::string, double> wall_time_;
+};
+
+}  // namespace percolith

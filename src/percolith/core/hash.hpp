@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace percolith {
+
+/// Hash of the bit patterns of numbers (FNV-1a over 64-bit words): equal states have equal
+/// hashes, so two runs are compared by one short text.
+class StateHash {
+public:
+  void add(std::span<const double> values);
+  void add(double value) { add(std::span<const double>(&value, 1)); }
+  /// Sixteen hexadecimal digits.
+  [[nodiscard]] std::string text() const;
+
+private:
+  std::uint64_t state_ = 14695981039346656037ULL;
+};
+
+}  // namespace percolith

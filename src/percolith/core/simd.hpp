@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/core/device.hpp"
+
+#include <cstdint>
+
+#if !defined(__CUDACC__)
+#include <experimental/simd>
+#endif
+
+// The only place that knows how the host packs several elements into one register. A kernel sees
+// a lane: the number of its first element and the type its reals have.
+namespace percolith {
+
+/// Elements in one block of a block-wise array (AoSoA).
+inline constexpr std::int32_t block_width = 8;
+
+/// Smallest multiple of the block width that is not below `n`.
+PERCOLITH_DEVICE std::int32_t padded(std::int32_t n) {
+  return (n + block_width - 1) / block_width * block_width;
+}
+
+/// One element at a time: the serial reference, and a thread of a GPU.
+struct ScalarLane {
+  using Real = double;
+  static constexpr std::int32_t width = 1;
+  std::int32_t first;
+
+  PERCOLITH_DEVICE static Real load(const double* from) { return *from; }
+  PERCOLITH_DEVICE static void store(double* to, Real value) { *to = value; }
+};
+
+PERCOLITH_DEVICE double select(bool condition, double yes, double no) {
+  return condition ? yes : no;
+}
+
+#if !defined(__CUDACC__)
+/// As many consecutive elements as one register holds; never across the border of a block.
+struct VectorLane {
+  using Real = std::experimental::native_simd<double>;
+  static constexpr std::int32_t width = static_cast<std::int32_t>(Real::size());
+  static_assert(block_width % width == 0);
+  std::int32_t first;
+
+  static Real load(const double* from) { return Real(from, std::experimental::element_aligned); }
+  static void store(double* to, Real value) {
+    value.copy_to(to, std::experimental::element_aligned);
+  }
+};
+
+inline VectorLane::Real select(VectorLane::Real::mask_type condition, VectorLane::Real yes,
+                               VectorLane::Real no) {
+  std::experimental::where(condition, no) = yes;
+  return no;
+}
+#endif
+
+}  // namespace percolith

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/seepage/graph_conditions.hpp"
+
+namespace percolith::seepage {
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+template <class NodeOf>
+void add_once(const std::vector<NodeCondition>& from, const NodeOf& node_of,
+              std::vector<std::uint8_t>& taken, std::vector<GraphCondition>& to) {
+  for (const NodeCondition& c : from) {
+    const Index node = node_of(c.place);
+    if (node != mesh::none && taken[at(node)] == 0) {
+      taken[at(node)] = 1;
+      to.push_back({node, c});
+    }
+  }
+}
+
+}  // namespace
+
+GraphConditions make_graph_conditions(const Model& model, const FlowGraph& graph) {
+  const auto of_corner = [&](Index c) {
+    return graph.node_of_corner[at(model.pore_nodes.leader(c))];
+  };
+  const auto of_vertex = [&](Index v) { return graph.node_of_vertex[at(v)]; };
+  const Conditions& given = model.conditions;
+  GraphConditions result;
+  result.prescribed.assign(at(graph.nodes()), 0);
+  add_once(given.pore.pressure, of_corner, result.prescribed, result.pressure);
+  add_once(given.crack.pressure, of_vertex, result.prescribed, result.pressure);
+  std::vector<std::uint8_t> taken = result.prescribed;
+  add_once(given.pore.seepage_face, of_corner, taken, result.seepage_face);
+  add_once(given.crack.seepage_face, of_vertex, taken, result.seepage_face);
+  for (const NodeCondition& c : given.pore.rate) {
+    result.rate.push_back({of_corner(c.place), c});
+  }
+  for (const NodeCondition& c : given.crack.rate) {
+    if (of_vertex(c.place) != mesh::none) {
+      result.rate.push_back({of_vertex(c.place), c});
+    }
+  }
+  return result;
+}
+
+}  // namespace percolith::seepage

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/seepage/implicit_flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace percolith::seepage {
+namespace {
+
+std::size_t at(Index i) {
+  return static_cast<std::size_t>(i);
+}
+
+constexpr int most_iterations = 60;
+constexpr double saturation_tolerance = 1e-9;
+/// A front that fills a void is resolved by the mesh, not by the step: an error of saturation
+/// counts this much of an error of pressure.
+constexpr double saturation_share = 0.02;
+
+}  // namespace
+
+ImplicitFlow::ImplicitFlow(const Model& model)
+    : graph_(make_flow_graph(model)), conditions_(make_graph_conditions(model, graph_)),
+      system_(graph_, conditions_.prescribed), active_(graph_), conductance_(graph_.conductance),
+      storage_rate_(at(graph_.nodes())), source_(at(graph_.nodes())), rate_(at(graph_.nodes())),
+      flow_(graph_.from.size()), inflow_(at(graph_.nodes())), content_(at(graph_.nodes())),
+      previous_rate_(at(graph_.nodes()), 0.0) {}
+
+bool ImplicitFlow::attempt(const Model& model, double dt, Execution& execution) {
+  prepare(model, dt);
+  if (!iterate(model, dt, execution)) {
+    factorised_dt_ = 0.0;
+    return false;
+  }
+  finish(model, dt);
+  estimate_error(model, dt);
+  return true;
+}
+
+void ImplicitFlow::prepare(const Model& model, double dt) {
+  dt_ = dt;
+  start_ = gather_state(model, graph_);
+  state_ = start_;
+  active_.start(model, graph_, start_);
+  std::fill(rate_.begin(), rate_.end(), 0.0);
+  booked_.clear();
+  const double middle = model.state.time + 0.5 * dt;
+  for (const GraphCondition& c : conditions_.rate) {
+    const double rate = model.conditions.value(c.condition, middle);
+    rate_[at(c.node)] += rate;
+    booked_.emplace_back(c.condition.condition, rate * dt);
+  }
+  const double end = model.state.time + dt;
+  for (const GraphCondition& c : conditions_.pressure) {
+    state_.pressure[at(c.node)] = model.conditions.value(c.condition, end);
+    state_.saturation[at(c.node)] = 1.0;
+  }
+  for (std::size_t n = 0; n < source_.size(); ++n) {
+    storage_rate_[n] = graph_.storage[n] / dt;
+    source_[n] = start_.content[n].total() / dt + rate_[n];
+  }
+}
+
+bool ImplicitFlow::iterate(const Model& model, double dt, Execution& execution) {
+  const double end = model.state.time + dt;
+  const double reference = model.reference_pressure();
+  for (iterations_ = 1; iterations_ <= most_iterations; ++iterations_) {
+    const bool linear = !active_.any_empty() && conditions_.seepage_face.empty();
+    active_.hold(model, conditions_, end, state_);
+    if (linear && factorised_dt_ == dt) {
+      std::copy(graph_.conductance.begin(), graph_.conductance.end(), conductance_.begin());
+    } else {
+      const auto start = std::chrono::steady_clock::now();
+      weighted_conductances(graph_, state_, model.weight, !active_.any_empty(), conductance_);
+      if (!system_.assemble(graph_, conductance_, storage_rate_, active_.held())) {
+        return false;
+      }
+      factorised_dt_ = linear ? dt : 0.0;
+      execution.book("factorisation", start);
+    }
+    const auto start = std::chrono::steady_clock::now();
+    if (!system_.solve(graph_, conductance_, storage_rate_, source_, reference, state_)) {
+      return false;
+    }
+    edge_flows(graph_, state_, conductance_, flow_);
+    node_inflows(graph_, flow_, inflow_);
+    execution.book("solution", start);
+    bool changed =
+        active_.update_faces(model, conditions_, end, source_, storage_rate_, inflow_, state_);
+    double moved = 0.0;
+    if (model.can_empty()) {
+      changed = active_.update_saturations(model, graph_, conditions_, dt, start_.content, rate_,
+                                           conductance_, state_, moved) ||
+                changed;
+    }
+    if (!changed && moved < saturation_tolerance) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void ImplicitFlow::finish(const Model& model, double dt) {
+  const double end = model.state.time + dt;
+  for (std::size_t n = 0; n < content_.size(); ++n) {
+    content_[n] = start_.content[n];
+    content_[n] += dt * (inflow_[n] + rate_[n]);
+  }
+  // Where the pressure is given the condition supplies what the flows leave open.
+  const auto supply = [&](const GraphCondition& c) {
+    const auto n = at(c.node);
+    const double pressure = model.conditions.value(c.condition, end);
+    const double target = graph_.storage[n] * (pressure - model.reference_pressure());
+    booked_.emplace_back(c.condition.condition, (target - content_[n].value) - content_[n].carry);
+    content_[n] = {target, 0.0};
+  };
+  for (const GraphCondition& c : conditions_.pressure) {
+    supply(c);
+  }
+  for (const GraphCondition& c : conditions_.seepage_face) {
+    if (active_.is_open_face(c.node)) {
+      supply(c);
+    }
+  }
+}
+
+void ImplicitFlow::estimate_error(const Model& model, double dt) {
+  double low = 0.0;
+  double high = 0.0;
+  for (std::size_t n = 0; n < content_.size(); ++n) {
+    const double pressure = state_.pressure[n];
+    low = n == 0 ? pressure : std::min(low, pressure);
+    high = n == 0 ? pressure : std::max(high, pressure);
+  }
+  const double range = std::max(high - low, 1e-12 * std::max(std::abs(low), std::abs(high)));
+  double sum[2] = {0.0, 0.0};
+  double weight[2] = {0.0, 0.0};
+  const double share = previous_dt_ > 0.0 ? dt / (dt + previous_dt_) : 0.5;
+  for (Index node = 0; node < graph_.nodes(); ++node) {
+    const auto n = at(node);
+    if (conditions_.prescribed[n] != 0) {
+      continue;
+    }
+    const double rate = (content_[n].total() - start_.content[n].total()) / dt;
+    const double disagreement = share * dt * (rate - previous_rate_[n]);
+    const bool full = !active_.is_empty(node) && start_.saturation[n] >= 1.0;
+    const double scale =
+        full ? graph_.storage[n] * range : graph_.void_volume[n] / saturation_share;
+    const double error = scale > 0.0 ? disagreement / scale : 0.0;
+    const std::size_t field = graph_.members.row(node).back() < 0 ? 1 : 0;
+    sum[field] += graph_.void_volume[n] * error * error;
+    weight[field] += graph_.void_volume[n];
+  }
+  error_ = 0.0;
+  for (std::size_t field = 0; field < 2; ++field) {
+    if (weight[field] > 0.0) {
+      error_ = std::max(error_, std::sqrt(sum[field] / weight[field]));
+    }
+  }
+  if (!model.can_empty() && range == 0.0) {
+    error_ = 0.0;
+  }
+}
+
+void ImplicitFlow::accept(Model& model) {
+  for (std::size_t n = 0; n < content_.size(); ++n) {
+    previous_rate_[n] = (content_[n].total() - start_.content[n].total()) / dt_;
+  }
+  previous_dt_ = dt_;
+  std::fill(model.rate.begin(), model.rate.end(), 0.0);
+  for (const auto& [condition, volume] : booked_) {
+    model.let_in[at(condition)] += volume;
+    model.rate[at(condition)] += volume / dt_;
+  }
+  scatter_contents(model, graph_, content_);
+  model.state.time += dt_;
+}
+
+}  // namespace percolith::seepage

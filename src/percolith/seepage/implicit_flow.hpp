@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/core/execution.hpp"
+#include "percolith/seepage/active_set.hpp"
+#include "percolith/seepage/flow_graph.hpp"
+#include "percolith/seepage/graph_conditions.hpp"
+#include "percolith/seepage/pressure_system.hpp"
+
+#include <vector>
+
+namespace percolith::seepage {
+
+/// Backward Euler over pore and crack nodes together (theory 3.5). Every step solves for the
+/// pressures, then moves the contents by the flows those pressures drive, so that fluid is
+/// conserved whatever the solution's accuracy.
+class ImplicitFlow {
+public:
+  explicit ImplicitFlow(const Model& model);
+
+  /// Computes a step of `dt` seconds; false when the iteration over saturations and active set did
+  /// not settle, and the step must be tried again with a smaller dt. The model stays as it was.
+  [[nodiscard]] bool attempt(const Model& model, double dt, Execution& execution);
+
+  /// Local error of the attempted step: the change of content that the present and the previous
+  /// rates disagree about, over the content that a change of pressure by its range in the model
+  /// (full nodes) or by all of the void (partly empty nodes) would mean; root mean square over
+  /// pores or cracks, whichever is larger.
+  [[nodiscard]] double error() const { return error_; }
+
+  /// Makes the attempted step the state of the model and books what the conditions let in.
+  void accept(Model& model);
+
+  [[nodiscard]] int iterations() const { return iterations_; }
+  [[nodiscard]] const FlowGraph& graph() const { return graph_; }
+  [[nodiscard]] Index unknowns() const { return system_.unknowns(); }
+
+private:
+  void prepare(const Model& model, double dt);
+  [[nodiscard]] bool iterate(const Model& model, double dt, Execution& execution);
+  void finish(const Model& model, double dt);
+  void estimate_error(const Model& model, double dt);
+
+  FlowGraph graph_;
+  GraphConditions conditions_;
+  PressureSystem system_;
+  ActiveSet active_;
+  double dt_ = 0.0;
+  double factorised_dt_ = 0.0;  // of a matrix without partly empty nodes; 0: none
+  int iterations_ = 0;
+  double error_ = 0.0;
+  GraphState start_, state_;
+  std::vector<double> conductance_, storage_rate_, source_, rate_;
+  std::vector<double> flow_, inflow_;
+  std::vector<CompensatedSum> content_;  // at the end of the attempted step
+  std::vector<double> previous_rate_;    // of content, m2/s, in the last accepted step
+  double previous_dt_ = 0.0;
+  std::vector<std::pair<Index, double>> booked_;  // condition, volume of the attempted step
+};
+
+}  // namespace percolith::seepage
