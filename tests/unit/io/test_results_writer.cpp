@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/core/error.hpp"
+#include "percolith/io/results_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "unit/io/file_size_limit.hpp"
+#include "unit/io/frames.hpp"
+#include "unit/io/temporary_folder.hpp"
+#include "unit/io/vtu_decoder.hpp"
+
+namespace percolith::io {
+namespace {
+
+using std::filesystem::exists;
+
+TEST(ResultsWriter, WritesSeriesTablesAndProbes) {
+  const test::TemporaryFolder folder;
+  ResultsWriter writer(folder.path(), {.fields = true, .has_cracks = true});
+  const std::vector<simulation::ProbeSample> samples = {{"well", {"pressure_Pa"}, {{{0, 1}, {5}}}}};
+  for (const double time : {0.0, 0.1}) {
+    simulation::HistoryRow row;
+    row.time = time;
+    writer.on_history(row);
+    writer.on_frame(test::cracked_square(time));
+    writer.on_probes(time, samples);
+  }
+  EXPECT_EQ(test::read_text(folder / "matrix.pvd"),
+            "<?xml version=\"1.0\"?>\n"
+            "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+            "<Collection>\n"
+            "<DataSet timestep=\"0\" part=\"0\" file=\"fields/matrix_000000.vtu\"/>\n"
+            "<DataSet timestep=\"0.1\" part=\"0\" file=\"fields/matrix_000001.vtu\"/>\n"
+            "</Collection>\n</VTKFile>\n");
+  EXPECT_TRUE(exists(folder / "fields/matrix_000001.vtu"));
+  EXPECT_TRUE(exists(folder / "fields/cracks_000001.vtu"));
+  EXPECT_NE(test::read_text(folder / "cracks.pvd").find("timestep=\"0.1\""), std::string::npos);
+  EXPECT_EQ(test::read_text(folder / "probes/well.csv"),
+            "time_s,x_m,y_m,pressure_Pa\n0,0,1,5\n0.1,0,1,5\n");
+  const std::string history = test::read_text(folder / "history.csv");
+  EXPECT_EQ(std::count(history.begin(), history.end(), '\n'), 3);
+  EXPECT_EQ(history.find("time_s,step,"), 0U);
+  EXPECT_GT(writer.wall_time(), 0.0);
+}
+
+TEST(ResultsWriter, StartsTheCrackSeriesWithTheFirstCrack) {
+  const test::TemporaryFolder folder;
+  ResultsWriter writer(folder.path(), {});
+  simulation::Frame intact = test::cracked_square(0);
+  intact.cracks = {};
+  writer.on_frame(intact);
+  EXPECT_FALSE(exists(folder / "cracks.pvd"));
+  writer.on_frame(test::cracked_square(1));
+  EXPECT_NE(test::read_text(folder / "cracks.pvd").find("cracks_000001.vtu"), std::string::npos);
+}
+
+TEST(ResultsWriter, LeavesFieldsOutOnRequest) {
+  const test::TemporaryFolder folder;
+  ResultsWriter writer(folder.path(), {.fields = false});
+  writer.on_frame(test::cracked_square(0));
+  EXPECT_FALSE(exists(folder / "fields"));
+  EXPECT_FALSE(exists(folder / "matrix.pvd"));
+}
+
+TEST(ResultsWriter, KeepsProbesWithOddNamesInTheirFolder) {
+  const test::TemporaryFolder folder;
+  ResultsWriter writer(folder.path(), {});
+  writer.on_probes(0, {{"../up", {"pressure_Pa"}, {}}});
+  EXPECT_TRUE(exists(folder / "probes/%2E.%2Fup.csv"));
+}
+
+TEST(ResultsWriter, LeavesAWholeSeriesWhereTheDiskFillsUp) {
+  const test::TemporaryFolder folder;
+  ResultsWriter writer(folder.path(), {});
+  writer.on_frame(test::cracked_square(0));
+  const std::string before = test::read_text(folder / "matrix.pvd");
+  {
+    const test::FileSizeLimit limit(200);
+    try {
+      writer.on_frame(test::cracked_square(1));
+      FAIL();
+    } catch (const FileError& error) {
+      EXPECT_NE(std::string(error.what()).find("fields/matrix_000001.vtu: cannot write the file"),
+                std::string::npos)
+          << error.what();
+    }
+  }
+  EXPECT_EQ(test::read_text(folder / "matrix.pvd"), before);
+  EXPECT_FALSE(exists(folder / "fields/matrix_000001.vtu"));
+  EXPECT_FALSE(exists(folder / "fields/matrix_000001.vtu.part"));
+  const test::VtuDecoder first(test::read_text(folder / "fields/matrix_000000.vtu"));
+  EXPECT_EQ(first.array<double>("Float64", "pressure_Pa").size(), 6U);
+}
+
+}  // namespace
+}  // namespace percolith::io
