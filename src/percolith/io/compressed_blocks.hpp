@@ -8,12 +8,14 @@
 namespace percolith::io {
 
 /// Bytes of a block before compression.
-inline constexpr std::size_t block_size = std::size_t{1} << 18;
+inline constexpr std::size_t block_size = std::size_t{1} << 15;
+
+/// What the bytes are, which decides how to compress them fast.
+enum class Content { integers, reals };
 
 /// `data` as VTK's XML formats store a compressed array: a header of UInt64 (number of blocks,
 /// block size, size of a last partial block or 0, compressed size of each block), then the blocks,
-/// each a zlib stream (VTK User's Guide, 11th ed., XML file formats). Equal for any number of
-/// threads.
-[[nodiscard]] std::string compress_blocks(std::span<const std::byte> data);
+/// each a zlib stream (VTK User's Guide, 11th ed., XML file formats).
+[[nodiscard]] std::string compress_blocks(std::span<const std::byte> data, Content content);
 
 }  // namespace percolith::io

@@ -10,6 +10,7 @@
 #include <array>
 #include <bit>
 #include <stdexcept>
+#include <type_traits>
 
 namespace percolith::io {
 namespace {
@@ -23,7 +24,8 @@ public:
     xml_ += fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"{} "
                         "format=\"appended\" offset=\"{}\"/>\n",
                         type, escape_xml(name), components, more, size_);
-    blocks_.push_back(compress_blocks(std::as_bytes(values)));
+    constexpr Content content = std::is_same_v<T, double> ? Content::reals : Content::integers;
+    blocks_.push_back(compress_blocks(std::as_bytes(values), content));
     size_ += blocks_.back().size();
   }
   void line(const std::string& text) { xml_ += text + '\n'; }
