@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/case/applies.hpp"
+
+#include "percolith/case/path.hpp"
+
+#include <array>
+
+namespace percolith::case_file {
+
+namespace {
+
+using simulation::PoreJoints;
+using simulation::Scheme;
+using simulation::Setup;
+
+bool is_geometry(const std::string& file) {
+  return file.size() > 4 && file.compare(file.size() - 4, 4, ".geo") == 0;
+}
+
+bool chooses_step(const Setup& setup, const std::string& /*name*/) {
+  return setup.time.scheme == Scheme::implicit && !setup.time.step;
+}
+
+bool is_transient(const Setup& setup, const std::string& /*name*/) {
+  return setup.time.scheme != Scheme::steady;
+}
+
+const std::string transient = "time.scheme = \"implicit\" or \"explicit\"";
+const std::string free_step = "time.scheme = \"implicit\" without time.step";
+
+const std::vector<Applicability> all{
+    {"mesh.element_size",
+     {"mesh.file"},
+     [](const Setup& setup, const std::string&) { return is_geometry(setup.mesh.file); },
+     "a .geo file as mesh.file"},
+    {"model.head_datum",
+     {"model.gravity"},
+     [](const Setup& setup, const std::string&) { return setup.model.gravity > 0.0; },
+     "model.gravity > 0"},
+    {"model.joint_factor",
+     {"model.pore_joints"},
+     [](const Setup& setup, const std::string&) {
+       return setup.model.pore_joints == PoreJoints::finite;
+     },
+     "model.pore_joints = \"finite\""},
+    {"boundary.*.on",
+     {"boundary.*.flux"},
+     [](const Setup& setup, const std::string& name) { return !setup.boundary.at(name).flux; },
+     "pressure, head or seepage_face"},
+    {"source.*.into",
+     {"source.*.point"},
+     [](const Setup& setup, const std::string& name) {
+       return setup.source.at(name).point.has_value();
+     },
+     "a point"},
+    {"probe.*.points",
+     {"probe.*.from", "probe.*.to"},
+     [](const Setup& setup, const std::string& name) {
+       return setup.probe.at(name).from && setup.probe.at(name).to;
+     },
+     "from and to"},
+    {"time.end", {"time.scheme"}, is_transient, transient},
+    {"time.step", {"time.scheme"}, is_transient, transient},
+    {"time.initial_step", {"time.scheme", "time.step"}, chooses_step, free_step},
+    {"time.maximum_step", {"time.scheme", "time.step"}, chooses_step, free_step},
+    {"time.tolerance", {"time.scheme", "time.step"}, chooses_step, free_step},
+    {"time.safety",
+     {"time.scheme"},
+     [](const Setup& setup, const std::string&) { return setup.time.scheme == Scheme::explicit_; },
+     "time.scheme = \"explicit\""},
+    {"output.times", {"time.scheme"}, is_transient, transient},
+    {"output.interval", {"time.scheme"}, is_transient, transient},
+    {"output.history_interval", {"time.scheme"}, is_transient, transient},
+};
+
+}  // namespace
+
+std::span<const Applicability> applicabilities() {
+  return all;
+}
+
+std::string with_name(std::string pattern, const std::string& name) {
+  const std::size_t star = pattern.find('*');
+  if (star != std::string::npos) {
+    pattern.replace(star, 1, name);
+  }
+  return pattern;
+}
+
+std::string why_unused(const std::string& key, const Setup& setup) {
+  const Path path = split_path(key);
+  const std::string name = path.size() > 2 ? path[1] : std::string();
+  for (const Applicability& rule : all) {
+    if (with_name(rule.option, name) == key && !rule.holds(setup, name)) {
+      return rule.condition;
+    }
+  }
+  return {};
+}
+
+}  // namespace percolith::case_file
