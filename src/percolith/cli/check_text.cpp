@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/cli/check_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace percolith::cli {
+namespace {
+
+std::string mesh_text(const simulation::CheckReport& report) {
+  std::string text = fmt::format(
+      "Mesh\n"
+      "  triangles       {:>10}    vertices        {:>10}\n"
+      "  joints          {:>10}    broken joints   {:>10}\n"
+      "  boundary edges  {:>10}\n"
+      "  area            {:>10.5g} m2\n"
+      "  edges           {:.4g} to {:.4g} m\n"
+      "  angles          {:.1f} to {:.1f} degree, smallest at ({:.5g}, {:.5g}) m\n",
+      report.triangles, report.vertices, report.joints, report.broken_joints, report.boundary_edges,
+      report.area, report.smallest_edge, report.largest_edge, report.smallest_angle,
+      report.largest_angle, report.smallest_angle_place.x, report.smallest_angle_place.y);
+  for (const auto& [region, area] : report.region_area) {
+    text += fmt::format("  region {}: {:.5g} m2\n", region, area);
+  }
+  for (const auto& [fracture, length] : report.fracture_length_by_group) {
+    text += fmt::format("  fracture {}: {:.5g} m\n", fracture, length);
+  }
+  return text;
+}
+
+std::string node_text(const simulation::CheckReport& report) {
+  return fmt::format("Flow\n"
+                     "  pore nodes      {:>10}    crack nodes     {:>10}\n"
+                     "  unknowns        {:>10}\n",
+                     report.pore_nodes, report.crack_nodes, report.unknowns);
+}
+
+std::string limit_text(const simulation::CheckReport& report,
+                       const simulation::Stepping& stepping) {
+  std::string text = "Limits of the explicit time step\n";
+  bool first = true;
+  for (const simulation::StepLimit& limit : report.limits) {
+    text += fmt::format("  {:<15} {:>10.4g} s at ({:.5g}, {:.5g}) m{}\n", limit.mechanism,
+                        limit.step, limit.place.x, limit.place.y, first ? "  <- rules" : "");
+    first = false;
+  }
+  if (first) {
+    return text + "  none: nothing flows\n";
+  }
+  const double step = stepping.safety * report.limits.front().step;
+  switch (stepping.scheme) {
+  case simulation::Scheme::explicit_: {
+    const double used = std::fmin(step, stepping.step.value_or(step));
+    return text + fmt::format("  scheme explicit: step {:.4g} s, about {:.3g} steps to the end\n",
+                              used, std::ceil(stepping.end / used));
+  }
+  case simulation::Scheme::implicit:
+    return text + "  scheme implicit: the step is ruled by time.tolerance, not by these\n";
+  case simulation::Scheme::steady:
+    break;
+  }
+  return text + "  scheme steady: takes no time step\n";
+}
+
+}  // namespace
+
+std::string check_text(const simulation::CheckReport& report,
+                       const simulation::Stepping& stepping) {
+  return mesh_text(report) + node_text(report) + limit_text(report, stepping);
+}
+
+}  // namespace percolith::cli

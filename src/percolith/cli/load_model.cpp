@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/cli/load_model.hpp"
+
+#include "percolith/mesh/gmsh_geo.hpp"
+
+#include <chrono>
+#include <utility>
+
+namespace percolith::cli {
+namespace {
+
+// Calls `work`, adds its wall time to `account`, and returns what it returns.
+template <class Work>
+auto timed(double& account, const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  auto result = work();
+  account += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+mesh::GmshMesh read_mesh(const case_file::Case& read) {
+  const simulation::MeshOptions& options = read.setup.mesh;
+  const std::filesystem::path path = read.directory / options.file;
+  if (!std::filesystem::exists(path)) {
+    throw InputError({{},
+                      "mesh.file",
+                      options.file,
+                      "there is no file " + path.string(),
+                      "a .msh or .geo file, relative to the case file"});
+  }
+  return mesh::read_mesh(path, options.element_size);
+}
+
+}  // namespace
+
+LoadedModel load_model(const std::filesystem::path& case_file,
+                       std::span<const std::string> overrides) {
+  std::map<std::string, double> wall_time;
+  case_file::Case read =
+      timed(wall_time["case file"], [&] { return case_file::read_case(case_file, overrides); });
+  try {
+    const mesh::GmshMesh mesh = timed(wall_time["mesh file"], [&] { return read_mesh(read); });
+    simulation::Simulation built =
+        timed(wall_time["model"], [&] { return simulation::Simulation(read.setup, mesh); });
+    return {std::move(read), std::move(built), std::move(wall_time)};
+  } catch (const InputError& error) {
+    throw case_file::locate(error, read);
+  }
+}
+
+}  // namespace percolith::cli

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/cli/run_recorder.hpp"
+
+#include "percolith/case/documents.hpp"
+#include "percolith/cli/console.hpp"
+#include "percolith/cli/version_text.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <chrono>
+#include <csignal>
+#include <vector>
+
+namespace percolith::cli {
+namespace {
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+io::RunRecord record_of(const RunOptions& options, const LoadedModel& model) {
+  io::RunRecord record;
+  record.version = version_and_revision();
+  record.case_file = options.case_file.string();
+  record.title = model.read_case.setup.title;
+  record.threads = omp_get_max_threads();
+  record.processor = io::processor_name();
+  record.regions = model.simulation.region_names();
+  record.fractures = model.simulation.fracture_names();
+  return record;
+}
+
+std::string resolved_case(const LoadedModel& model, const std::string& version) {
+  simulation::Setup setup = model.read_case.setup;
+  // The copy stands in another folder than the case file.
+  setup.mesh.file = std::filesystem::absolute(model.read_case.directory / setup.mesh.file)
+                        .lexically_normal()
+                        .string();
+  const simulation::CheckReport report = model.simulation.check();
+  std::vector<case_file::DerivedValue> derived = {
+      {"version of percolith", version, ""},
+      {"triangles", fmt::format("{}", report.triangles), ""},
+      {"pore nodes", fmt::format("{}", report.pore_nodes), ""},
+      {"crack nodes", fmt::format("{}", report.crack_nodes), ""},
+      {"smallest edge", fmt::format("{}", report.smallest_edge), "m"}};
+  for (const simulation::StepLimit& limit : report.limits) {
+    derived.push_back(
+        {"limit of the explicit step by " + limit.mechanism, fmt::format("{}", limit.step), "s"});
+  }
+  return case_file::resolved_toml(setup, derived);
+}
+
+io::ProgressLine progress_line() {
+  const auto style = stdout_is_terminal() ? io::ProgressStyle::terminal : io::ProgressStyle::plain;
+  return {style, terminal_width(), print, seconds_now};
+}
+
+std::vector<simulation::Observer*> chosen(io::ResultsWriter& results, io::ProgressLine& progress,
+                                          RunLog& log, bool is_quiet) {
+  std::vector<simulation::Observer*> observers = {&results, &log};
+  if (!is_quiet) {
+    observers.push_back(&progress);
+  }
+  return observers;
+}
+
+}  // namespace
+
+RunRecorder::RunRecorder(const io::RunDirectory& directory, const RunOptions& options,
+                         const LoadedModel& model)
+    : directory_(directory), model_(model), is_quiet_(options.quiet),
+      record_(record_of(options, model)),
+      results_(directory.path(), {model.read_case.setup.output.fields, !record_.fractures.empty()}),
+      progress_(progress_line()), log_(directory.file("run.log"),
+                                       [this](const std::string& line) {
+                                         progress_.clear();
+                                         print_line_to_stderr(line);
+                                       }),
+      observers_(chosen(results_, progress_, log_, is_quiet_)) {
+  io::write_file(directory.file("resolved.toml"), resolved_case(model, record_.version),
+                 io::Durability::synced);
+  log_.information(fmt::format("percolith {} runs {} on {} threads of {}", record_.version,
+                               record_.case_file, record_.threads, record_.processor));
+  for (const std::string& warning : model.read_case.warnings) {
+    log_.on_located_warning(warning);
+  }
+}
+
+void RunRecorder::say(const std::string& text) {
+  progress_.clear();
+  if (!is_quiet_) {
+    print(text + '\n');
+  }
+}
+
+void RunRecorder::write_summary(io::Outcome outcome, const std::string& reason) {
+  record_.outcome = outcome;
+  record_.reason = reason;
+  std::map<std::string, double> wall_time = model_.wall_time;
+  wall_time["output"] += results_.wall_time();
+  io::write_file(directory_.file("summary.json"),
+                 io::summary_json(record_, model_.simulation.summary(), wall_time),
+                 io::Durability::synced);
+}
+
+void RunRecorder::finish() {
+  write_summary(io::Outcome::finished, "");
+  const simulation::Summary summary = model_.simulation.summary();
+  const std::string text = fmt::format(
+      "finished at time {:.6g} s after {} steps, mass balance error {:.1e}; results in {}",
+      summary.end_time, summary.steps, summary.last.balance.relative_error,
+      directory_.path().string());
+  log_.information(text);
+  say(text);
+}
+
+void RunRecorder::interrupt(int signal) {
+  const std::string name = signal == SIGINT ? "SIGINT" : "SIGTERM";
+  write_summary(io::Outcome::interrupted, name);
+  const std::string text =
+      fmt::format("interrupted by {} at time {:.6g} s; results so far in {}", name,
+                  model_.simulation.summary().end_time, directory_.path().string());
+  log_.information(text);
+  progress_.clear();
+  print_line_to_stderr(text);
+}
+
+void RunRecorder::fail(const std::string& reason) noexcept {
+  try {
+    progress_.clear();
+    write_summary(io::Outcome::failed, reason);
+    log_.error(reason);
+  } catch (...) {
+    return;
+  }
+}
+
+}  // namespace percolith::cli
