@@ -4,6 +4,7 @@
 #include "percolith/case/describe.hpp"
 #include "percolith/case/overrides.hpp"
 #include "percolith/case/reader.hpp"
+#include "percolith/case/rules.hpp"
 #include "percolith/case/toml_parser.hpp"
 
 #include <fmt/format.h>
@@ -75,6 +76,7 @@ Case read_case_text(std::string_view text, const std::filesystem::path& file,
   Reader reader(root, {}, context);
   describe(reader, result.setup);
   reader.finish();
+  check_rules(result.setup, context);
   problems.throw_if_any();
   return result;
 }
