@@ -12,7 +12,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.tri import Triangulation
 
 from percolith.run_directory import Frame, RunDirectory, RunDirectoryError
-from percolith.units import Scale, format_time, power_scale, pressure_scale
+from percolith.units import Scale, format_time, power_scale, pressure_scale, time_scale
 from percolith.vtu import Grid
 
 FIELDS = ("pressure", "head", "saturation", "flux")
@@ -42,6 +42,9 @@ class ColourRange:
         if field == "saturation":
             return ColourRange(0.0, 1.0, Scale(1.0, ""))
         low, high = float(np.nanmin(joined)), float(np.nanmax(joined))
+        if field == "flux":
+            # The flux grows without bound towards the tips of cracks, on ever finer meshes.
+            low, high = 0.0, float(np.nanpercentile(joined, 99))
         if high - low <= 1e-12 * max(abs(low), abs(high)):
             low, high = low - 0.5 * (abs(low) or 1.0), high + 0.5 * (abs(high) or 1.0)
         scale = {
@@ -61,7 +64,7 @@ class ColourRange:
         values = []
         for time in run.times:
             shown = _shown_values(run.frame(time), field)
-            values += [np.array([v.min(), v.max()]) for v in shown if v.size]
+            values += [v for v in shown if v.size]
         return ColourRange.of_values(field, values)
 
 
@@ -118,14 +121,19 @@ def _draw_cracks(axes, cracks: Grid, field: str, colours: dict, factor: float) -
 
 
 def _draw_arrows(axes, frame: Frame) -> None:
-    """Direction and size of the Darcy flux on a regular grid of about 25 places across."""
+    """Direction and size of the Darcy flux at about 25 places across the model."""
     centre = frame.matrix.points[frame.matrix.cells].mean(axis=1)
     flux = frame.matrix.cell_data["darcy_flux_m_per_s"]
     spacing = max(np.ptp(centre, axis=0)) / 25
-    _, chosen = np.unique(np.floor(centre / spacing).astype(np.int64), axis=0, return_index=True)
-    largest = np.percentile(np.hypot(*flux.T), 95) or 1.0
-    axes.quiver(*centre[chosen].T, *(flux[chosen].T / largest * 1.6 * spacing), angles="xy",
-                scale_units="xy", scale=1.0, width=0.0022, color="white", edgecolor=_OUTLINE,
+    square = np.floor(centre / spacing).astype(np.int64)
+    nearest = np.argsort(np.hypot(*(centre - (square + 0.5) * spacing).T), kind="stable")
+    _, first = np.unique(square[nearest], axis=0, return_index=True)
+    chosen = nearest[first]
+    size = np.hypot(*flux.T)
+    largest = np.percentile(size, 95) or 1.0
+    length = np.minimum(size, largest) / np.where(size > 0, size, 1.0) * 0.9 * spacing / largest
+    axes.quiver(*centre[chosen].T, *(flux[chosen] * length[chosen, None]).T, angles="xy",
+                scale_units="xy", scale=1.0, width=0.0025, color="white", edgecolor=_OUTLINE,
                 linewidth=0.4, pivot="mid")
 
 
@@ -147,10 +155,12 @@ def draw_field(run: RunDirectory, frame: Frame, field: str, path: Path, arrows: 
         _draw_arrows(axes, frame)
     if frame.cracks is not None and len(frame.cracks.cells):
         _draw_cracks(axes, frame.cracks, field, colours, factor)
-    figure.colorbar(picture, ax=axes, label=shown.scale.label(_LABEL[field]),
+    extend = "max" if field == "flux" else "neither"
+    figure.colorbar(picture, ax=axes, extend=extend, label=shown.scale.label(_LABEL[field]),
                     **({"orientation": "horizontal", "aspect": 40, "shrink": 0.7} if is_wide else
                        {"shrink": 0.85}))
-    moment = "steady state" if run.is_steady else f"t = {format_time(frame.time)}"
+    moment = f"t = {format_time(frame.time, time_scale(run.times))}"
+    moment = "steady state" if run.is_steady else moment
     axes.set_title(f"{run.title}\n{_LABEL[field]}, {moment}", fontsize=11)
     figure.savefig(path, dpi=120)
     plt.close(figure)

@@ -34,22 +34,21 @@ def _scale(column: str, values: np.ndarray) -> Scale:
 
 def _draw_line(axes, table: Table, column: str, is_steady: bool) -> None:
     times = np.unique(table["time_s"])
-    scale = _scale(column, table[column])
+    scale, unit = _scale(column, table[column]), time_scale(times)
     colours = plt.cm.viridis(np.linspace(0, 0.92, len(times)))
     for time, colour in zip(times, colours):
         rows = table.at_time(time)
         distance = np.hypot(rows["x_m"] - rows["x_m"][0], rows["y_m"] - rows["y_m"][0])
-        label = "steady state" if is_steady else format_time(time)
+        label = "steady state" if is_steady else format_time(time, unit)
         axes.plot(distance, rows[column] / scale.factor, color=colour, label=label, linewidth=1.4)
     ends = table.at_time(times[-1])
     start, stop = ((ends["x_m"][i], ends["y_m"][i]) for i in (0, -1))
-    axes.set_xlabel(f"Distance from ({start[0]:g}, {start[1]:g}) m towards "
-                    f"({stop[0]:g}, {stop[1]:g}) m (m)")
+    axes.set_xlabel(f"Distance from ({start[0]:g}, {start[1]:g}) to "
+                    f"({stop[0]:g}, {stop[1]:g}) (m)")
     axes.set_ylabel(scale.label(_LABEL[column]))
     if len(times) <= 12:
         axes.legend(fontsize="small", frameon=False)
     else:
-        unit = time_scale(times)
         colour_map = plt.cm.ScalarMappable(plt.Normalize(times[0] / unit.factor,
                                                          times[-1] / unit.factor), "viridis")
         axes.figure.colorbar(colour_map, ax=axes, label=unit.label("Time"))

@@ -50,8 +50,11 @@ class Table:
         return Table({name: values[mask] for name, values in self.columns.items()})
 
     def at_time(self, time: float | None = None) -> Table:
-        """The rows at the time (s) nearest to `time`; the last time when None."""
+        """The rows at the time (s) nearest to `time`; the last time when None. Raises
+        RunDirectoryError when there is no row."""
         times = np.unique(self["time_s"])
+        if not len(times):
+            raise RunDirectoryError("the table has no rows; did the run end? see run.log")
         chosen = times[-1] if time is None else times[np.argmin(abs(times - time))]
         return self.where(self["time_s"] == chosen)
 

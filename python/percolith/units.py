@@ -52,7 +52,7 @@ def power_scale(values, unit: str) -> Scale:
     return Scale(10.0**power, f"$10^{{{exponent}}}$ {unit}")
 
 
-def format_time(seconds: float) -> str:
-    """A time with the unit that suits it."""
-    scale = time_scale([seconds])
+def format_time(seconds: float, scale: Scale | None = None) -> str:
+    """A time in the unit of `scale`, or in the one that suits it."""
+    scale = scale or time_scale([seconds])
     return f"{seconds / scale.factor:.4g} {scale.unit}"

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes the package and the helpers of the verification importable; runs examples once."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "python"), str(ROOT / "verification")]
+
+
+@pytest.fixture(scope="session")
+def run_example(tmp_path_factory):
+    """run(name, **settings) -> Result of an example as shipped, or with replaced options; each is
+    run once a session. In a name of an option write `__` for the dot."""
+    from program import run_case
+
+    done = {}
+
+    def run(name: str, **settings):
+        key = (name, repr(sorted(settings.items())))
+        if key not in done:
+            options = {option.replace("__", "."): value for option, value in settings.items()}
+            case = ROOT / "examples" / name / "case.toml"
+            done[key] = run_case(case, tmp_path_factory.mktemp(name) / "results", options)
+        return done[key]
+
+    return run

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reading a run directory that the program wrote."""
+
+import numpy as np
+import pytest
+import vtk
+from percolith import RunDirectory, RunDirectoryError, read_vtu
+from percolith.run_directory import read_table
+from percolith.vtu import VtuError
+from vtk.util.numpy_support import vtk_to_numpy
+
+
+@pytest.fixture(scope="module")
+def run(run_example):
+    return run_example("single_fracture").results
+
+
+def read_with_vtk(path):
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+@pytest.mark.parametrize("start", ["matrix", "cracks"])
+def test_grid_equals_what_vtk_reads(run, start):
+    path = sorted(run.path.glob(f"fields/{start}_*.vtu"))[-1]
+    ours, theirs = read_vtu(path), read_with_vtk(path)
+    assert np.array_equal(ours.points, vtk_to_numpy(theirs.GetPoints().GetData())[:, :2])
+    cells = vtk_to_numpy(theirs.GetCells().GetConnectivityArray())
+    assert np.array_equal(ours.cells.ravel(), cells)
+    for data, fields in ((ours.point_data, theirs.GetPointData()),
+                         (ours.cell_data, theirs.GetCellData())):
+        assert sorted(data) == sorted(fields.GetArrayName(i)
+                                      for i in range(fields.GetNumberOfArrays()))
+        for name, values in data.items():
+            expected = vtk_to_numpy(fields.GetArray(name))
+            assert np.array_equal(values, expected[:, :2] if values.ndim == 2 else expected)
+
+
+def test_frames_are_found_by_their_time(run):
+    assert run.times == pytest.approx([0.0, 0.001, 0.01, 0.1, 0.2])
+    assert run.frame().time == 0.2
+    assert run.frame(0.012).time == pytest.approx(0.01)
+    assert run.frame(0.1).matrix.time == pytest.approx(0.1)
+
+
+def test_pressure_jumps_across_the_fracture(run):
+    grid = run.frame().matrix
+    on_fracture = abs(grid.points[:, 0]) < 1e-9
+    heights = grid.points[on_fracture, 1]
+    assert len(heights) == 2 * len(np.unique(heights))
+    assert np.ptp(grid.point_data["pressure_Pa"][on_fracture]) > 1e5
+
+
+def test_tables(run):
+    assert run.history["time_s"][-1] == pytest.approx(0.2)
+    assert run.summary["end_time_s"] == pytest.approx(0.2)
+    assert run.probe_names == ["line"]
+    rows = run.probe("line").at_time(0.1)
+    assert len(rows) == 600
+    assert rows["pressure_Pa"].max() < 8e6
+    assert run.resolved["time"]["scheme"] == "implicit"
+    assert run.title.startswith("A fracture at constant pressure")
+
+
+def test_unknown_probe_is_refused_with_the_known_ones(run):
+    with pytest.raises(RunDirectoryError, match="no probe lime; there are: line"):
+        run.probe("lime")
+
+
+def test_directory_without_results_is_refused(tmp_path):
+    with pytest.raises(RunDirectoryError, match="not a run directory"):
+        RunDirectory(tmp_path)
+    with pytest.raises(RunDirectoryError, match="no such directory"):
+        RunDirectory(tmp_path / "absent")
+
+
+def test_damaged_field_file_is_named(run, tmp_path):
+    source = sorted(run.path.glob("fields/matrix_*.vtu"))[-1]
+    damaged = tmp_path / "damaged.vtu"
+    content = source.read_bytes()
+    for cut in (10, 400, len(content) // 2):
+        damaged.write_bytes(content[:cut])
+        with pytest.raises(VtuError, match="damaged.vtu"):
+            read_vtu(damaged)
+
+
+def test_table_with_words_is_refused(tmp_path):
+    path = tmp_path / "table.csv"
+    path.write_text("# comment\na,b\n1,\n2,3\n")
+    table = read_table(path)
+    assert np.isnan(table["b"][0]) and table["b"][1] == 3
+    path.write_text("a\nword\n")
+    with pytest.raises(RunDirectoryError, match="table.csv: not a table of numbers"):
+        read_table(path)

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The pass criteria of the examples (`expected.toml`), evaluated on a run."""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+
+import formulas
+import numpy as np
+from percolith import RunDirectory
+from percolith.run_directory import Table, read_table
+from program import ROOT, Result
+
+EXAMPLES = ROOT / "examples"
+VERIFICATION = ROOT / "verification"
+
+
+@dataclass
+class Profile:
+    """Computed and expected values at the same places of a line."""
+
+    position: np.ndarray  # m
+    computed: np.ndarray
+    expected: np.ndarray
+
+
+def _formula(name: str, rows: Table, time: float) -> np.ndarray:
+    x, y = rows["x_m"], rows["y_m"]
+    return {"strip": lambda: formulas.strip(x, time),
+            "radial": lambda: formulas.radial(np.hypot(x, y)),
+            "semi_infinite": lambda: formulas.semi_infinite(abs(x), time),
+            "slab": lambda: formulas.slab(abs(x), time)}[name]()
+
+
+def profile(criterion: dict, run: RunDirectory, example: str) -> Profile:
+    """The values that a criterion compares."""
+    rows = run.probe(criterion["probe"]).at_time(criterion.get("time"))
+    if "time" in criterion and abs(rows["time_s"][0] - criterion["time"]) > 1e-9 * criterion["time"]:
+        raise ValueError(f"{run.path}: probe {criterion['probe']} has no time {criterion['time']} s")
+    for column, (low, high) in criterion.get("where", {}).items():
+        rows = rows.where((rows[column] >= low) & (rows[column] <= high))
+    axis = criterion.get("position", "x_m")
+    if "formula" in criterion:
+        expected = _formula(criterion["formula"], rows, criterion.get("time", 0.0))
+    else:
+        reference = read_table(VERIFICATION / example / criterion["reference"])
+        places = reference[axis]
+        expected = np.interp(rows[axis], places, reference[criterion["column"]])
+        expected = expected * criterion.get("column_unit", 1.0)
+    return Profile(rows[axis], rows[criterion["quantity"]], expected)
+
+
+def measure(kind: str, values: Profile, scale: float = 1.0) -> float:
+    """The size of the difference, over `scale`."""
+    error = values.computed - values.expected
+    if not np.isfinite(error).all():
+        return float("inf")
+    sizes = {"maximum": lambda: abs(error).max(),
+             "rms": lambda: np.sqrt(np.mean(error**2)),
+             "rms_over_range": lambda: np.sqrt(np.mean(error**2)) / np.ptp(values.expected),
+             "relative_sum": lambda: abs(error).sum() / abs(values.expected).sum()}
+    return float(sizes[kind]()) / scale
+
+
+def evaluate(example: str, result: Result) -> list[tuple[str, float, float]]:
+    """(name, value, limit) for each criterion of an example."""
+    with open(EXAMPLES / example / "expected.toml", "rb") as file:
+        expected = tomllib.load(file)
+    found = [("mass balance error over fluid in place and throughput", result.balance,
+              expected["balance"])]
+    if "wall_time" in expected:
+        found.append(("wall time, s", result.wall_time, expected["wall_time"]))
+    for criterion in expected["profile"]:
+        values = profile(criterion, result.results, example)
+        value = measure(criterion["measure"], values, criterion.get("scale", 1.0))
+        found.append((criterion["name"], value, criterion["limit"]))
+    return found

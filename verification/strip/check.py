@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Transient flow through a strip: the error of finite joints over n, for permeabilities,
+viscosities, element sizes and shapes, and the tied scheme."""
+
+from pathlib import Path
+
+import formulas
+import matplotlib.pyplot as plt
+import numpy as np
+from percolith.run_directory import read_table
+from report import Chapter
+from studies import check_example, compare_figure, observed_order, run_example
+
+TITLE = "Strip: transient flow, finite and tied joints"
+FACTORS = [1, 2, 5, 10, 20, 50, 100, 200]
+REFERENCE = Path(__file__).with_name("strip_error_vs_n.csv")
+
+
+def relative_error(result, time: float) -> float:
+    """Sum of errors over sum of pressures, (42), at all pore nodes on the centre line."""
+    frame = result.results.frame(time)
+    on_line = abs(frame.matrix.points[:, 1] - 0.1) < 1e-9
+    pressure = frame.matrix.point_data["pressure_Pa"][on_line]
+    exact = formulas.strip(frame.matrix.points[on_line, 0], 0.02)
+    return abs(pressure - exact).sum() / exact.sum()
+
+
+def run_at(work: Path, label: str, factor, mesh="strip_05.msh", k=2e-13, mu=1e-3):
+    """A run to the dimensionless time of 0.02 s at k = 2e-13 m2 and mu = 1e-3 Pa s, in 1000 steps;
+    `factor` is n of finite joints, None means tied. Returns the run and its end time."""
+    end = 0.02 * (2e-13 / k) * (mu / 1e-3)
+    settings = {"mesh.file": mesh, "material.rock.permeability": k,
+                "fluid.viscosity": mu, "time.end": end, "time.step": end / 1000,
+                "output.times": []}
+    if factor is not None:
+        settings |= {"model.pore_joints": "finite", "model.joint_factor": factor}
+    return run_example("strip", work, label, settings), end
+
+
+def error_curve(work: Path, label: str, **variant) -> np.ndarray:
+    errors = []
+    for n in FACTORS:
+        result, end = run_at(work, f"{label}_n{n}", n, **variant)
+        errors.append(relative_error(result, end))
+    return np.array(errors)
+
+
+def study(chapter: Chapter, work: Path, name: str, title: str, variants: dict[str, dict]) -> None:
+    """One figure of error over n, with the reference for the same element size."""
+    reference = read_table(REFERENCE)
+    figure, axes = plt.subplots(figsize=(7, 4.6), layout="constrained")
+    colours = plt.cm.viridis(np.linspace(0, 0.85, len(variants)))
+    for (label, variant), colour, mark in zip(variants.items(), colours, "osd"):
+        errors = error_curve(work, f"{name}_{label}".replace(" ", "_"), **variant)
+        axes.loglog(FACTORS, errors, color=colour, marker=mark, label=label, markerfacecolor="none")
+        size = float("0." + variant.get("mesh", "strip_05.msh")[6:8])
+        rows = reference.where(np.isclose(reference["Le_m"], size) & (reference["n"] <= 200))
+        axes.loglog(rows["n"], rows["RE_t0.02s"], color=colour, linestyle=":")
+        expected = np.interp(np.log(FACTORS), np.log(rows["n"]), np.log(rows["RE_t0.02s"]))
+        chapter.at_most(f"{name}.{label}.level", f"{title}, {label}: error at n = 100",
+                        errors[FACTORS.index(100)], 0.01)
+        slope = observed_order(FACTORS[3:7], errors[3:7])
+        chapter.at_most(f"{name}.{label}.slope", f"{title}, {label}: slope from n = 10 to 100, "
+                        "difference from -1", abs(slope + 1), 0.1)
+        chapter.at_most(f"{name}.{label}.reference", f"{title}, {label}: largest ratio to the "
+                        "reference (other mesh) for n up to 100",
+                        np.exp(abs(np.log(errors) - expected)[:7].max()), 1.35)
+    axes.plot([], [], "k:", label="reference, other mesh")
+    axes.set_xlabel("n")
+    axes.set_ylabel("Relative error")
+    axes.grid(alpha=0.3, which="both")
+    axes.legend(fontsize="small", frameon=False)
+    chapter.add_figure(figure, f"Relative error over the joint factor n: {title}")
+
+
+def shapes(chapter: Chapter, work: Path) -> None:
+    curves = []
+    for shape in ("irregular", "right", "alternating"):
+        result, end = run_at(work, f"shape_{shape}", 100, mesh=f"strip_{shape}.msh")
+        grid = result.results.frame().matrix
+        exact = formulas.strip(grid.points[:, 0], end)
+        error = abs(grid.point_data["pressure_Pa"] - exact).max() / 1e5
+        chapter.at_most(f"shape.{shape}", f"{shape} triangles of 0.1 m, n = 100: largest error at "
+                        "any node over the pressure range", error, 0.006)
+        order = np.argsort(grid.points[:, 0], kind="stable")
+        curves.append((f"{shape} triangles", grid.points[order, 0],
+                       grid.point_data["pressure_Pa"][order], exact[order]))
+    chapter.add_figure(compare_figure(curves, "x (m)", "Pressure (kPa)", 1e3),
+                       "Three element shapes at 0.02 s, all nodes; circles: analytic")
+
+
+def tied(chapter: Chapter, work: Path) -> None:
+    sizes, errors = [0.05, 0.03, 0.01], []
+    for size in sizes:
+        result, end = run_at(work, f"tied_{size}", None, mesh=f"strip_{str(size)[2:]}.msh")
+        errors.append(relative_error(result, end))
+    chapter.at_most("tied.level", "tied nodes, 0.05 m: relative error at 0.02 s", errors[0], 1e-3)
+    # Time steps of 20 us leave 1e-5; the finest mesh is close to that.
+    chapter.at_least("tied.order", "tied nodes: order in the element size, from 0.05 to 0.01 m",
+                     observed_order([sizes[0], sizes[2]], [errors[0], errors[2]]), 1.7)
+
+
+def check(chapter: Chapter, work: Path) -> None:
+    result = check_example(chapter, "strip", work)
+    curves = []
+    for time in (0.001, 0.005, 0.01, 0.02):
+        rows = result.results.probe("centre").at_time(time)
+        curves.append((f"{time} s", rows["x_m"], rows["pressure_Pa"],
+                       formulas.strip(rows["x_m"], time)))
+    chapter.add_figure(compare_figure(curves, "x (m)", "Pressure (kPa)", 1e3),
+                       "Pressure on the centre line, tied nodes, 0.05 m; circles: analytic")
+    study(chapter, work, "permeability", "three permeabilities",
+          {f"k = {k:g} m2": {"k": k} for k in (2e-13, 2e-12, 2e-11)})
+    study(chapter, work, "viscosity", "three viscosities",
+          {f"mu = {mu:g} Pa s": {"mu": mu} for mu in (1e-2, 1e-3, 1e-4)})
+    study(chapter, work, "size", "three element sizes",
+          {f"{s} m": {"mesh": f"strip_{s[2:]}.msh"} for s in ("0.05", "0.03", "0.01")})
+    shapes(chapter, work)
+    tied(chapter, work)
