@@ -84,11 +84,13 @@ void add_regions(const GmshContent& content, GmshMesh& mesh) {
       last = group;
     }
   }
+  std::map<std::string, std::int32_t> region_of_name;
   for (auto& [group, region] : region_of_group) {
     const std::string name = content.group_name(2, group);
-    const auto found = std::find(mesh.regions.begin(), mesh.regions.end(), name);
-    region = static_cast<std::int32_t>(found - mesh.regions.begin());
-    if (found == mesh.regions.end()) {
+    const auto next = static_cast<std::int32_t>(mesh.regions.size());
+    const auto [found, is_new] = region_of_name.emplace(name, next);
+    region = found->second;
+    if (is_new) {
       mesh.regions.push_back(name);
     }
   }

@@ -9,19 +9,6 @@
 #include <limits>
 
 namespace percolith::mesh {
-namespace {
-
-/// Text fit for a message: short and printable, whatever the file holds.
-std::string printable(std::string_view text) {
-  constexpr std::size_t longest = 32;
-  std::string result(text.substr(0, longest));
-  std::replace_if(
-      result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return text.size() > longest ? result + "..." : result;
-}
-
-}  // namespace
-
 std::string_view GmshCursor::line() {
   const std::size_t begin = position_;
   const std::size_t end = std::min(bytes_.find('\n', begin), bytes_.size());
@@ -46,7 +33,7 @@ void GmshCursor::expect(std::string_view expected) {
   const std::string_view found = word();
   if (found != expected) {
     fail(fmt::format("expected {}, found '{}': a count in the file is wrong or the file is damaged",
-                     expected, printable(found)));
+                     expected, printable_text(found)));
   }
 }
 
@@ -82,15 +69,15 @@ void GmshCursor::fail(const std::string& reason, const std::string& allowed) con
 
 void GmshCursor::fail_truncated() const {
   fail(fmt::format("the file ends inside {}: it is truncated; write or copy it again",
-                   section_.empty() ? std::string_view("its header") : section_));
+                   section_.empty() ? "its header" : printable_text(section_)));
 }
 
 void GmshCursor::fail_number(std::string_view text, bool too_large, bool whole) const {
   if (too_large) {
-    fail(fmt::format("the number {} in {} is out of range", printable(text), section_));
+    fail(fmt::format("the number {} in {} is out of range", printable_text(text), section_));
   }
   fail(fmt::format("expected a {} in {}, found '{}'", whole ? "whole number" : "number", section_,
-                   printable(text)));
+                   printable_text(text)));
 }
 
 }  // namespace percolith::mesh

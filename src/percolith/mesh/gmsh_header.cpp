@@ -56,16 +56,16 @@ std::string_view without_leading_space(std::string_view content) {
 }
 
 GmshVersion read_version(GmshCursor& cursor) {
-  const std::string text(cursor.word());
+  const std::string_view text = cursor.word();
   if (text == "2.2") {
     return GmshVersion::v22;
   }
   if (text == "4.1") {
     return GmshVersion::v41;
   }
-  cursor.fail(fmt::format("the mesh has format version {:.16}; convert it with 'gmsh FILE -0 "
+  cursor.fail(fmt::format("the mesh has format version {}; convert it with 'gmsh FILE -0 "
                           "-format msh41 -o mesh.msh'",
-                          text),
+                          printable_text(text)),
               "2.2, 4.1");
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace percolith::mesh {
@@ -14,6 +15,14 @@ void fail_mesh(const FileLocation& location, const std::string& reason,
 
 std::string place_text(const Point& place) {
   return fmt::format("({:.9g}, {:.9g})", place.x, place.y);
+}
+
+std::string printable_text(std::string_view text) {
+  constexpr std::size_t longest = 32;
+  std::string result(text.substr(0, longest));
+  std::replace_if(
+      result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return text.size() > longest ? result + "..." : result;
 }
 
 void require_countable(std::uint64_t count, std::string_view what, const FileLocation& location) {

@@ -17,6 +17,9 @@ namespace percolith::mesh {
 /// A point as messages show it: `(x, y)`, m.
 [[nodiscard]] std::string place_text(const Point& place);
 
+/// Text from a file, made fit for a message: short and printable, whatever the file holds.
+[[nodiscard]] std::string printable_text(std::string_view text);
+
 /// Throws InputError when `count` items cannot be numbered: indices have 32 bits, and a triangle
 /// has three corners of its own.
 void require_countable(std::uint64_t count, std::string_view what, const FileLocation& location);

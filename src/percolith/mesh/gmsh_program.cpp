@@ -13,8 +13,6 @@
 #include <cerrno>
 #include <cstring>
 
-extern "C" char** environ;  // NOLINT: POSIX declares it in no header
-
 namespace percolith::mesh {
 namespace {
 

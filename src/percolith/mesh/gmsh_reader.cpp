@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <optional>
+#include <utility>
 
 namespace percolith::mesh {
 namespace {
