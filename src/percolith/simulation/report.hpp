@@ -17,11 +17,11 @@ namespace percolith::simulation {
 struct MatrixFrame {
   std::vector<Point> points;                           ///< m
   std::vector<std::array<std::int32_t, 3>> triangles;  ///< indices into points
-  std::vector<std::int32_t> region;                    ///< per triangle, index into the region names
-  std::vector<double> pressure;                        ///< Pa, per point
-  std::vector<double> head;                            ///< m, per point; empty without gravity
-  std::vector<double> saturation;                      ///< 1, per point
-  std::vector<Point> flux;                             ///< Darcy flux, m/s, per triangle
+  std::vector<std::int32_t> region;  ///< per triangle, index into the region names
+  std::vector<double> pressure;      ///< Pa, per point
+  std::vector<double> head;          ///< m, per point; empty without gravity
+  std::vector<double> saturation;    ///< 1, per point
+  std::vector<Point> flux;           ///< Darcy flux, m/s, per triangle
 };
 
 /// The open cracks as a line mesh: one point per open crack node, one segment per broken joint.
@@ -61,11 +61,11 @@ struct ProbeSample {
 
 /// Fluid volumes (m2: m3 per metre of thickness, at reference density) since time zero.
 struct MassBalance {
-  double in = 0.0;             ///< through boundaries and sources
-  double out = 0.0;            ///< through boundaries and sources, positive
-  double stored = 0.0;         ///< growth of the content
-  double in_place = 0.0;       ///< fluid in pores and cracks now
-  double error = 0.0;          ///< in - out - stored
+  double in = 0.0;              ///< through boundaries and sources
+  double out = 0.0;             ///< through boundaries and sources, positive
+  double stored = 0.0;          ///< growth of the content
+  double in_place = 0.0;        ///< fluid in pores and cracks now
+  double error = 0.0;           ///< in - out - stored
   double relative_error = 0.0;  ///< |error| over (fluid in place + throughput)
   /// Net volume let in by each condition, by its option path (`boundary.left`, `source.well`).
   std::map<std::string, double> by_condition;
@@ -75,7 +75,7 @@ struct MassBalance {
 struct HistoryRow {
   double time = 0.0;
   std::int64_t step = 0;
-  double step_size = 0.0;  ///< s
+  double step_size = 0.0;                                             ///< s
   double minimum_pressure = 0.0, maximum_pressure = 0.0;              ///< Pa, pores
   double minimum_crack_pressure = 0.0, maximum_crack_pressure = 0.0;  ///< Pa; 0 without cracks
   double minimum_saturation = 1.0;
@@ -89,7 +89,8 @@ struct Progress {
   double time = 0.0, end = 0.0, step_size = 0.0;  ///< s
   std::int64_t step = 0;
   std::int64_t iterations = 0;  ///< of the last implicit step
-  const char* limited_by = "";  ///< what rules the step: "tolerance", "pore flow", "crack flow", ...
+  const char* limited_by =
+      "";  ///< what rules the step: "tolerance", "pore flow", "crack flow", ...
 };
 
 /// What remains to be said at the end of a run.

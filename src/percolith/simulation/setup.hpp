@@ -29,34 +29,39 @@ enum class Domain { both, matrix, crack };
 struct MeshOptions {
   std::string file;           ///< `.msh` or `.geo`, relative to the case file
   double element_size = 0.0;  ///< m; > 0: upper bound of the size when a `.geo` is meshed
+  friend bool operator==(const MeshOptions&, const MeshOptions&) = default;
 };
 
 struct Model {
-  double gravity = 9.81;     ///< m/s2, along -y
-  double head_datum = 0.0;   ///< m: elevation from which head is measured
+  double gravity = 9.81;    ///< m/s2, along -y
+  double head_datum = 0.0;  ///< m: elevation from which head is measured
   PoreJoints pore_joints = PoreJoints::tied;
   double joint_factor = 100.0;  ///< n of h_j = n k/(mu L_e), for finite joints
   SaturationWeight saturation_weight = SaturationWeight::upstream;
+  friend bool operator==(const Model&, const Model&) = default;
 };
 
 struct Material {
   std::vector<std::string> regions;  ///< physical surfaces
   material::PoreRock rock;
+  friend bool operator==(const Material&, const Material&) = default;
 };
 
 struct FractureGroup {
   std::vector<std::string> groups;  ///< physical curves
   material::Fracture fracture;
+  friend bool operator==(const FractureGroup&, const FractureGroup&) = default;
 };
 
 /// A condition on boundary edges. Exactly one of pressure, head, flux, seepage_face is given.
 struct BoundaryCondition {
-  std::vector<std::string> groups;    ///< physical curves
-  std::optional<Schedule> pressure;   ///< Pa
-  std::optional<Schedule> head;       ///< m above head_datum
-  std::optional<Schedule> flux;       ///< m/s, positive into the rock
+  std::vector<std::string> groups;       ///< physical curves
+  std::optional<Schedule> pressure;      ///< Pa
+  std::optional<Schedule> head;          ///< m above head_datum
+  std::optional<Schedule> flux;          ///< m/s, positive into the rock
   std::optional<Schedule> seepage_face;  ///< Pa: outside pressure; outflow only
-  Domain on = Domain::both;           ///< for pressure, head and seepage face
+  Domain on = Domain::both;              ///< for pressure, head and seepage face
+  friend bool operator==(const BoundaryCondition&, const BoundaryCondition&) = default;
 };
 
 /// Fluid brought in at a point or along fractures. Exactly one of point and fractures, and exactly
@@ -67,6 +72,7 @@ struct Source {
   Domain into = Domain::matrix;                ///< for a point: matrix or crack
   std::optional<Schedule> rate;                ///< m2/s (per metre of thickness), positive inwards
   std::optional<Schedule> pressure;            ///< Pa; fractures, or a point in a crack
+  friend bool operator==(const Source&, const Source&) = default;
 };
 
 /// State at time zero. At most one of pressure, head and water_table is given; none: pressure 0.
@@ -77,16 +83,18 @@ struct Initial {
   double saturation = 1.0;                 ///< of the pores
   std::optional<double> crack_pressure;    ///< Pa; when absent as in the pores
   std::optional<double> crack_saturation;  ///< when absent as in the pores
+  friend bool operator==(const Initial&, const Initial&) = default;
 };
 
 struct Stepping {
   Scheme scheme = Scheme::implicit;
-  double end = 0.0;                     ///< s; unused when steady
-  std::optional<double> step;           ///< s: fixed step (implicit) or upper bound (explicit)
-  std::optional<double> initial_step;   ///< s, implicit
-  std::optional<double> maximum_step;   ///< s, implicit
-  double tolerance = 1e-3;              ///< local error per step over the pressure range, implicit
-  double safety = 0.9;                  ///< share of the stability limit used, explicit
+  double end = 0.0;                    ///< s; unused when steady
+  std::optional<double> step;          ///< s: fixed step (implicit) or upper bound (explicit)
+  std::optional<double> initial_step;  ///< s, implicit
+  std::optional<double> maximum_step;  ///< s, implicit
+  double tolerance = 1e-3;             ///< local error per step over the pressure range, implicit
+  double safety = 0.9;                 ///< share of the stability limit used, explicit
+  friend bool operator==(const Stepping&, const Stepping&) = default;
 };
 
 /// Values written over time at points of the plane or on a line.
@@ -96,13 +104,15 @@ struct Probe {
   std::optional<std::array<double, 2>> to;     ///< m: last point of a line
   int points = 101;                            ///< on the line
   Domain in = Domain::matrix;                  ///< matrix, or crack: on the nearest fracture
+  friend bool operator==(const Probe&, const Probe&) = default;
 };
 
 struct Output {
-  std::vector<double> times;       ///< s
-  std::optional<double> interval;  ///< s
-  bool fields = true;              ///< write the field series
+  std::vector<double> times;               ///< s
+  std::optional<double> interval;          ///< s
+  bool fields = true;                      ///< write the field series
   std::optional<double> history_interval;  ///< s between rows of history; absent: a row a frame
+  friend bool operator==(const Output&, const Output&) = default;
 };
 
 struct Setup {
@@ -119,6 +129,7 @@ struct Setup {
   Stepping time;
   Output output;
   std::map<std::string, Probe> probe;
+  friend bool operator==(const Setup&, const Setup&) = default;
 };
 
 }  // namespace percolith::simulation

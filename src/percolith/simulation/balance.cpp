@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/simulation/balance.hpp"
+
+#include "percolith/core/hash.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace percolith::simulation {
+namespace {
+
+using mesh::Index;
+
+std::size_t at(Index i) {
+  return static_cast<std::size_t>(i);
+}
+
+void add_signed(MassBalance& balance, double volume) {
+  (volume >= 0.0 ? balance.in : balance.out) += std::abs(volume);
+}
+
+}  // namespace
+
+MassBalance mass_balance(const seepage::Model& model, double in_place_at_start,
+                         const Execution& execution) {
+  MassBalance balance;
+  balance.in_place = seepage::fluid_in_place(model, execution);
+  balance.stored = balance.in_place - in_place_at_start;
+  for (std::size_t i = 0; i < model.let_in.size(); ++i) {
+    const double volume = model.let_in[i].total();
+    balance.by_condition[model.conditions.name[i]] = volume;
+    add_signed(balance, volume);
+  }
+  balance.error = balance.in - balance.out - balance.stored;
+  const double scale = balance.in_place + balance.in + balance.out;
+  balance.relative_error = scale > 0.0 ? std::abs(balance.error) / scale : 0.0;
+  return balance;
+}
+
+MassBalance steady_balance(const seepage::Model& model, const Execution& execution) {
+  MassBalance balance;
+  balance.in_place = seepage::fluid_in_place(model, execution);
+  for (std::size_t i = 0; i < model.rate.size(); ++i) {
+    balance.by_condition[model.conditions.name[i]] = model.rate[i];
+    add_signed(balance, model.rate[i]);
+  }
+  balance.error = balance.in - balance.out;
+  balance.relative_error = balance.in > 0.0 ? std::abs(balance.error) / balance.in : 0.0;
+  return balance;
+}
+
+HistoryRow history_row(const seepage::Model& model, const MassBalance& balance) {
+  HistoryRow row;
+  row.time = model.state.time;
+  row.balance = balance;
+  const seepage::State& s = model.state;
+  bool first = true;
+  for (Index t = 0; t < model.mesh.triangles(); ++t) {
+    for (Index k = 0; k < 3; ++k) {
+      const auto c = at(mesh::corner_of(t, k));
+      row.minimum_pressure = first ? s.pressure[c] : std::min(row.minimum_pressure, s.pressure[c]);
+      row.maximum_pressure = first ? s.pressure[c] : std::max(row.maximum_pressure, s.pressure[c]);
+      row.minimum_saturation = std::min(row.minimum_saturation, s.saturation[c]);
+      first = false;
+    }
+  }
+  first = true;
+  for (const Index v : model.cracks.open_nodes()) {
+    const double p = s.crack_pressure[at(v)];
+    row.minimum_crack_pressure = first ? p : std::min(row.minimum_crack_pressure, p);
+    row.maximum_crack_pressure = first ? p : std::max(row.maximum_crack_pressure, p);
+    row.minimum_saturation = std::min(row.minimum_saturation, s.crack_saturation[at(v)]);
+    first = false;
+  }
+  for (std::size_t i = 0; i < model.rate.size(); ++i) {
+    row.rate[model.conditions.name[i]] = model.rate[i];
+  }
+  return row;
+}
+
+std::optional<std::string> find_invalid(const seepage::Model& model) {
+  const seepage::State& s = model.state;
+  for (Index t = 0; t < model.mesh.triangles(); ++t) {
+    for (Index k = 0; k < 3; ++k) {
+      const Index c = mesh::corner_of(t, k);
+      if (!std::isfinite(s.pressure[at(c)]) || !std::isfinite(s.saturation[at(c)])) {
+        const Point p = model.mesh.place_of(c);
+        return fmt::format("pore pressure at ({:.6g}, {:.6g})", p.x, p.y);
+      }
+    }
+  }
+  for (const Index v : model.cracks.open_nodes()) {
+    if (!std::isfinite(s.crack_pressure[at(v)]) || !std::isfinite(s.crack_saturation[at(v)])) {
+      const Point p = model.mesh.vertex[at(v)];
+      return fmt::format("crack pressure at ({:.6g}, {:.6g})", p.x, p.y);
+    }
+  }
+  return std::nullopt;
+}
+
+std::string hash_of(const seepage::State& state) {
+  StateHash hash;
+  for (const auto* field : {&state.pressure, &state.saturation, &state.content,
+                            &state.content_carry, &state.crack_pressure, &state.crack_saturation,
+                            &state.crack_content, &state.crack_content_carry}) {
+    hash.add(*field);
+  }
+  hash.add(state.time);
+  return hash.text();
+}
+
+}  // namespace percolith::simulation

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/simulation/build_model.hpp"
+
+#include "percolith/core/error.hpp"
+#include "percolith/simulation/groups.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace percolith::simulation {
+namespace {
+
+using mesh::Index;
+
+std::size_t at(Index i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// The material of every region; each region has exactly one.
+std::vector<material::PoreRock> rock_of_regions(const Setup& setup, const mesh::Mesh& mesh) {
+  std::vector<material::PoreRock> rock(mesh.region_names.size());
+  std::vector<std::string> owner(mesh.region_names.size());
+  for (const auto& [name, material] : setup.material) {
+    for (std::size_t i = 0; i < material.regions.size(); ++i) {
+      const std::string& region = material.regions[i];
+      const std::string key = entry_key("material." + name + ".regions", i);
+      const auto found = std::find(mesh.region_names.begin(), mesh.region_names.end(), region);
+      if (found == mesh.region_names.end()) {
+        throw InputError({{},
+                          key,
+                          fmt::format("\"{}\"", region),
+                          "the mesh has no physical surface of this name",
+                          quoted_list(mesh.region_names)});
+      }
+      const auto r = static_cast<std::size_t>(found - mesh.region_names.begin());
+      if (!owner[r].empty()) {
+        throw InputError({{},
+                          key,
+                          fmt::format("\"{}\"", region),
+                          fmt::format("this region already has material.{}", owner[r]),
+                          "one material per region"});
+      }
+      owner[r] = name;
+      rock[r] = material.rock;
+    }
+  }
+  for (std::size_t r = 0; r < owner.size(); ++r) {
+    if (owner[r].empty()) {
+      throw InputError(
+          {{},
+           "material",
+           "",
+           fmt::format("region \"{}\" of the mesh has no material", mesh.region_names[r]),
+           "every physical surface named in the regions of one material"});
+    }
+  }
+  return rock;
+}
+
+void break_fractures(const Setup& setup, seepage::Model& model) {
+  Index group = 0;
+  for (const auto& [name, fracture] : setup.fracture) {
+    const std::string key = "fracture." + name + ".groups";
+    const std::vector<Index> joints = fracture_joints(model.mesh, fracture.groups, key);
+    for (const Index j : joints) {
+      if (model.cracks.is_broken(j)) {
+        const auto other = std::next(setup.fracture.begin(), model.crack.group[at(j)])->first;
+        const Point p = model.mesh.vertex[at(model.mesh.joint[at(j)].vertex[0])];
+        throw InputError({{},
+                          key,
+                          "",
+                          fmt::format("its edge at ({:g}, {:g}) already belongs to fracture.{}",
+                                      p.x, p.y, other),
+                          "each edge in one fracture table"});
+      }
+    }
+    seepage::break_joints(model, joints, group++);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> fracture_table_names(const Setup& setup) {
+  std::vector<std::string> names;
+  for (const auto& [name, fracture] : setup.fracture) {
+    names.push_back(name);
+  }
+  return names;
+}
+
+seepage::Model build_model(const Setup& setup, const mesh::GmshMesh& file) {
+  mesh::Mesh mesh = mesh::build_mesh(file);
+  std::vector<material::PoreRock> rock = rock_of_regions(setup, mesh);
+  std::vector<material::Fracture> fracture;
+  for (const auto& [name, group] : setup.fracture) {
+    fracture.push_back(group.fracture);
+  }
+  seepage::Model model = seepage::make_model(
+      std::move(mesh), setup.fluid, setup.model.gravity, std::move(rock), std::move(fracture),
+      setup.model.pore_joints, setup.model.joint_factor, setup.model.saturation_weight);
+  break_fractures(setup, model);
+  model.conditions = build_conditions(setup, model);
+  model.let_in.assign(model.conditions.name.size(), {});
+  model.rate.assign(model.conditions.name.size(), 0.0);
+  set_initial_state(setup, model);
+  return model;
+}
+
+}  // namespace percolith::simulation

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/simulation/setup.hpp"
+
+#include <limits>
+
+namespace percolith::simulation {
+
+/// The times at which fields and probes are written.
+class EventClock {
+public:
+  /// Output times up to `end`; the end itself is always one.
+  EventClock(const Output& output, double end);
+  /// The first output time after `t`, s; infinity after the last.
+  [[nodiscard]] double next_output(double t) const;
+
+private:
+  std::vector<double> times_;  // ascending
+};
+
+/// Tells when the next row of history is due.
+class HistoryClock {
+public:
+  /// Rows `interval` s apart, or on every call where it is zero.
+  explicit HistoryClock(double interval) : interval_(interval) {}
+  [[nodiscard]] bool due(double t);
+
+private:
+  double interval_;
+  double next_ = -std::numeric_limits<double>::infinity();
+};
+
+}  // namespace percolith::simulation

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/core/execution.hpp"
+#include "percolith/seepage/model.hpp"
+#include "percolith/simulation/frames.hpp"
+#include "percolith/simulation/report.hpp"
+#include "percolith/simulation/setup.hpp"
+
+#include <functional>
+
+namespace percolith::simulation {
+
+/// A model while it runs.
+struct RunState {
+  seepage::Model model;
+  Execution execution;
+  ProbeReader probes;
+  double in_place_at_start = 0.0;  ///< fluid, m2
+  Summary summary;
+};
+
+/// Throws InputError when a steady run has no pressure datum somewhere.
+void require_datum(const Setup& setup, const seepage::Model& model);
+
+/// One steady solution, reported as one frame.
+void run_steady(const Setup& setup, RunState& run, Observer& observer);
+/// Backward Euler with fixed or error-controlled steps.
+void run_implicit(const Setup& setup, RunState& run, Observer& observer,
+                  const std::function<bool()>& stop);
+/// Explicit steps below the stability limit.
+void run_explicit(const Setup& setup, RunState& run, Observer& observer,
+                  const std::function<bool()>& stop);
+
+/// The summary with the totals of the present state.
+[[nodiscard]] Summary finished_summary(const RunState& run);
+
+/// Sends fields and probes.
+void report_frame(const Setup& setup, RunState& run, Observer& observer);
+/// Sends a row of history for the step that ended now.
+void report_history(RunState& run, double step_size, Observer& observer);
+/// Throws SolverError when the state holds a value that is not a number.
+void require_valid(const RunState& run);
+
+}  // namespace percolith::simulation

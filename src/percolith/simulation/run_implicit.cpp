@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/core/error.hpp"
+#include "percolith/seepage/implicit_flow.hpp"
+#include "percolith/seepage/step_limit.hpp"
+#include "percolith/simulation/event_clock.hpp"
+#include "percolith/simulation/run.hpp"
+#include "percolith/time/step_control.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace percolith::simulation {
+namespace {
+
+/// Steps this much shorter than the run mean that no solution is to be had.
+constexpr double smallest_share = 1e-15;
+
+StepControl make_control(const Setup& setup, const seepage::ImplicitFlow& flow) {
+  const Stepping& time = setup.time;
+  if (time.step) {
+    return {std::numeric_limits<double>::infinity(), *time.step, *time.step};
+  }
+  // Too large a first step is rejected, too small a one doubles at once: the limit of the explicit
+  // scheme in the pores is the scale on which anything happens.
+  double first = time.end;
+  for (const seepage::FlowLimit& limit : seepage::step_limits(flow.graph())) {
+    if (limit.mechanism == "pore flow") {
+      first = limit.step;
+    }
+  }
+  return {time.tolerance, time.initial_step.value_or(first), time.maximum_step.value_or(time.end)};
+}
+
+[[noreturn]] void give_up(const RunState& run, double dt) {
+  throw SolverError(fmt::format(
+      "the implicit step found no solution at time {:.9g} s even with a step of {:.3g} s; the "
+      "results up to the last output are kept",
+      run.model.state.time, dt));
+}
+
+/// Tries steps until one is good, accepts it and returns its length; `event` is not overstepped.
+double make_step(RunState& run, seepage::ImplicitFlow& flow, StepControl& control, double event,
+                 double end) {
+  while (true) {
+    const double dt = step_towards(run.model.state.time, event, control.step());
+    if (dt < smallest_share * end) {
+      give_up(run, dt);
+    }
+    const bool solved = flow.attempt(run.model, dt, run.execution);
+    run.summary.iterations += flow.iterations();
+    if (!solved) {
+      control.failed(dt);
+    } else if (control.judge(dt, flow.error())) {
+      flow.accept(run.model);
+      return dt;
+    }
+    ++run.summary.rejected_steps;
+  }
+}
+
+}  // namespace
+
+void run_implicit(const Setup& setup, RunState& run, Observer& observer,
+                  const std::function<bool()>& stop) {
+  seepage::ImplicitFlow flow(run.model);
+  StepControl control = make_control(setup, flow);
+  const double end = setup.time.end;
+  const EventClock clock(setup.output, end);
+  HistoryClock history(setup.output.history_interval.value_or(0.0));
+  report_frame(setup, run, observer);
+  if (history.due(0.0)) {
+    report_history(run, 0.0, observer);
+  }
+  bool stopped = false;
+  while (run.model.state.time < end && !stopped) {
+    const double now = run.model.state.time;
+    const double output = clock.next_output(now);
+    const double event = std::min(output, run.model.conditions.next_break(now));
+    const double dt = make_step(run, flow, control, event, end);
+    if (dt >= event - now) {
+      run.model.state.time = event;
+    }
+    ++run.summary.steps;
+    require_valid(run);
+    stopped = stop();
+    const bool at_output = run.model.state.time == output || stopped;
+    if (history.due(run.model.state.time) || at_output) {
+      report_history(run, dt, observer);
+    }
+    if (at_output) {
+      report_frame(setup, run, observer);
+    }
+    observer.on_progress({run.model.state.time, end, dt, run.summary.steps, flow.iterations(),
+                          dt < control.step() ? "output time"
+                          : setup.time.step   ? "given step"
+                                              : "tolerance"});
+  }
+}
+
+}  // namespace percolith::simulation
