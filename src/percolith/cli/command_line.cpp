@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/cli/command_line.hpp"
 
+#include "percolith/case/nearest.hpp"
 #include "percolith/cli/version_text.hpp"
 #include "percolith/core/error.hpp"
 
@@ -109,12 +110,30 @@ struct Parser {
     return new_case;
   }
 
-  // The command whose arguments were being read when the error came up.
+  // The command whose arguments were being read when an error came up.
+  [[nodiscard]] const CLI::App& current() const {
+    const std::vector<CLI::App*> commands = app.get_subcommands();
+    return commands.empty() ? app : *commands.front();
+  }
+
   [[nodiscard]] std::string help_command() const {
-    for (const CLI::App* command : app.get_subcommands()) {
-      return "percolith " + command->get_name() + " --help";
+    return (&current() == &app ? "percolith" : "percolith " + current().get_name()) + " --help";
+  }
+
+  // What stands on the command line and belongs nowhere.
+  [[nodiscard]] std::string unknown_argument() const {
+    const std::vector<std::string> remaining = app.remaining(true);
+    const auto option = std::find_if(remaining.begin(), remaining.end(),
+                                     [](const std::string& word) { return word.starts_with('-'); });
+    const std::string word = option == remaining.end() ? remaining.front() : *option;
+    std::vector<std::string> known;
+    for (const CLI::Option* candidate : current().get_options()) {
+      known.push_back(candidate->get_name());
     }
-    return "percolith --help";
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    const std::string_view nearest = case_file::nearest_name(word.substr(0, word.find('=')), names);
+    return "unknown argument " + word +
+           (nearest.empty() ? "" : ", did you mean " + std::string(nearest) + "?");
   }
 };
 
@@ -137,6 +156,9 @@ Command parse_command_line(std::span<const std::string> arguments) {
     std::ostringstream text;
     parser.app.exit(success, text, text);
     return Answer{text.str()};
+  } catch (const CLI::ExtrasError&) {
+    throw InputError(
+        {{}, "", "", parser.unknown_argument() + "; see " + parser.help_command(), ""});
   } catch (const CLI::ParseError& error) {
     throw InputError(
         {{}, "", "", std::string(error.what()) + "; see " + parser.help_command(), ""});

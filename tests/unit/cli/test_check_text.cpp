@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/cli/check_text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace percolith::cli {
+namespace {
+
+simulation::CheckReport report() {
+  simulation::CheckReport report;
+  report.triangles = 200;
+  report.vertices = 121;
+  report.joints = 280;
+  report.broken_joints = 10;
+  report.boundary_edges = 40;
+  report.pore_nodes = 131;
+  report.crack_nodes = 11;
+  report.unknowns = 142;
+  report.area = 1.5;
+  report.smallest_edge = 0.05;
+  report.largest_edge = 0.1;
+  report.smallest_angle = 30.04;
+  report.largest_angle = 90;
+  report.smallest_angle_place = {0.25, 0.5};
+  report.region_area = {{"rock", 1.5}};
+  report.fracture_length_by_group = {{"fault", 1.0}};
+  report.limits = {{"crack flow", 1e-6, {0.5, 0.5}}, {"pore flow", 2e-3, {0.1, 0.2}}};
+  return report;
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(CheckText, ShowsCountsAndMeshQuality) {
+  const std::string text = check_text(report(), {});
+  EXPECT_TRUE(has(text, "triangles              200    vertices               121")) << text;
+  EXPECT_TRUE(has(text, "joints                 280    broken joints           10")) << text;
+  EXPECT_TRUE(has(text, "edges           0.05 to 0.1 m")) << text;
+  EXPECT_TRUE(has(text, "angles          30.0 to 90.0 degree, smallest at (0.25, 0.5) m")) << text;
+  EXPECT_TRUE(has(text, "region rock: 1.5 m2")) << text;
+  EXPECT_TRUE(has(text, "fracture fault: 1 m")) << text;
+  EXPECT_TRUE(has(text, "unknowns               142")) << text;
+}
+
+TEST(CheckText, MarksTheLimitThatRules) {
+  const std::string text = check_text(report(), {});
+  EXPECT_TRUE(has(text, "crack flow           1e-06 s at (0.5, 0.5) m  <- rules\n")) << text;
+  EXPECT_TRUE(has(text, "pore flow            0.002 s at (0.1, 0.2) m\n")) << text;
+}
+
+TEST(CheckText, TellsWhatTheSchemeMakesOfTheLimits) {
+  simulation::Stepping stepping;
+  stepping.end = 1;
+  stepping.safety = 0.5;
+  stepping.scheme = simulation::Scheme::explicit_;
+  EXPECT_TRUE(has(check_text(report(), stepping),
+                  "scheme explicit: step 5e-07 s, about 2e+06 steps to the end"));
+  stepping.step = 1e-7;
+  EXPECT_TRUE(has(check_text(report(), stepping),
+                  "scheme explicit: step 1e-07 s, about 1e+07 steps to the end"));
+  stepping.scheme = simulation::Scheme::implicit;
+  EXPECT_TRUE(has(check_text(report(), stepping), "the step is ruled by time.tolerance"));
+  stepping.scheme = simulation::Scheme::steady;
+  EXPECT_TRUE(has(check_text(report(), stepping), "scheme steady: takes no time step"));
+}
+
+TEST(CheckText, ToleratesAModelWithoutLimits) {
+  simulation::CheckReport bare = report();
+  bare.limits.clear();
+  EXPECT_TRUE(has(check_text(bare, {}), "none: nothing flows"));
+}
+
+}  // namespace
+}  // namespace percolith::cli
