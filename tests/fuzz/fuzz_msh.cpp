@@ -8,6 +8,7 @@
 #include <string_view>
 
 // Whatever bytes a mesh file holds, reading it ends in a sound mesh or in an error for the user.
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer calls it by this name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const std::string_view content(reinterpret_cast<const char*>(bytes), size);
   try {

@@ -15,7 +15,9 @@ namespace {
 struct Side {
   std::int32_t higher = 0;  ///< the edge's other point
   std::int32_t triangle = 0;
-  friend auto operator<=>(const Side&, const Side&) = default;
+  friend bool operator<(const Side& a, const Side& b) {
+    return a.higher != b.higher ? a.higher < b.higher : a.triangle < b.triangle;
+  }
 };
 
 /// All edges of the triangles: for each point the sides of the edges of which it is the lower

@@ -30,7 +30,7 @@ class PointTable {
 public:
   PointTable(const std::vector<Point>& points, const Point& origin, double tolerance)
       : points_(points), origin_(origin), tolerance_(tolerance),
-        slots_(std::bit_ceil(2 * points.size()), free_) {}
+        slots_(std::bit_ceil(2 * points.size()), unoccupied) {}
 
   /// Index of a filed point closer to point `i` than the tolerance in x and in y, else -1.
   [[nodiscard]] std::int32_t find_close(std::int32_t i) const {
@@ -42,24 +42,24 @@ public:
     for (const Point& cell :
          {Point{x, y}, Point{beside_x, y}, Point{x, beside_y}, Point{beside_x, beside_y}}) {
       const std::int32_t found = find_in_cell(cell, i);
-      if (found != free_) {
+      if (found != unoccupied) {
         return found;
       }
     }
-    return free_;
+    return unoccupied;
   }
 
   void insert(std::int32_t i) {
     const Point scaled = cells(i);
     std::size_t slot = first_slot({std::floor(scaled.x), std::floor(scaled.y)});
-    while (slots_[slot] != free_) {
+    while (slots_[slot] != unoccupied) {
       slot = (slot + 1) & (slots_.size() - 1);
     }
     slots_[slot] = i;
   }
 
 private:
-  static constexpr std::int32_t free_ = -1;
+  static constexpr std::int32_t unoccupied = -1;
 
   [[nodiscard]] const Point& point(std::int32_t i) const {
     return points_[static_cast<std::size_t>(i)];
@@ -78,13 +78,13 @@ private:
   }
   [[nodiscard]] std::int32_t find_in_cell(const Point& cell, std::int32_t i) const {
     std::size_t slot = first_slot(cell);
-    for (; slots_[slot] != free_; slot = (slot + 1) & (slots_.size() - 1)) {
+    for (; slots_[slot] != unoccupied; slot = (slot + 1) & (slots_.size() - 1)) {
       const Point distance = point(slots_[slot]) - point(i);
       if (std::abs(distance.x) < tolerance_ && std::abs(distance.y) < tolerance_) {
         return slots_[slot];
       }
     }
-    return free_;
+    return unoccupied;
   }
 
   const std::vector<Point>& points_;

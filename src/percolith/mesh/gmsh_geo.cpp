@@ -45,7 +45,7 @@ private:
 /// A script that gmsh reads after the geometry: the command line's -clmax would yield to a larger
 /// bound set in the geometry.
 std::filesystem::path write_size_bound(const std::filesystem::path& directory, double size) {
-  const std::filesystem::path path = directory / "bound.geo";
+  std::filesystem::path path = directory / "bound.geo";
   std::ofstream file(path);
   file << fmt::format("If (Mesh.CharacteristicLengthMax > {0})\n"
                       "  Mesh.CharacteristicLengthMax = {0};\nEndIf\n"

@@ -10,7 +10,10 @@
 namespace percolith::mesh {
 namespace {
 
-using namespace samples;
+using samples::data;
+using samples::message_of;
+using samples::TextMesh;
+using samples::TextMesh41;
 
 /// The message for a file of this content, named m.msh, without the part all have in common.
 std::string problem(const std::string& content) {

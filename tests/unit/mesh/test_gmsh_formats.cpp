@@ -13,7 +13,12 @@
 namespace percolith::mesh {
 namespace {
 
-using namespace samples;
+using samples::BinaryText;
+using samples::data;
+using samples::Places;
+using samples::places_of;
+using samples::TextMesh;
+using samples::TextMesh41;
 
 double area_of_region(const GmshMesh& mesh, const std::string& name) {
   double area = 0.0;

@@ -16,11 +16,13 @@
 namespace percolith::mesh {
 namespace {
 
-using namespace samples;
+using samples::data;
+using samples::message_of;
+using samples::TextMesh;
 
 /// A directory for the files of one test; also the place of temporary files during it.
 class GmshGeo : public testing::Test {
-protected:
+public:
   GmshGeo() {
     directory_ =
         std::filesystem::temp_directory_path() / ("test-gmsh-geo-" + std::to_string(getpid()));
@@ -38,6 +40,7 @@ protected:
   GmshGeo(const GmshGeo&) = delete;
   GmshGeo& operator=(const GmshGeo&) = delete;
 
+protected:
   std::string write(const std::string& name, const std::string& text) const {
     std::ofstream(directory_ / name, std::ios::binary) << text;
     return (directory_ / name).string();
