@@ -14,7 +14,7 @@ inline constexpr int current_format = 1;
 template <class V>
 void describe(V& option, simulation::Setup& m) {
   option(m.format, Count{"format", current_format, current_format, Need::required,
-                         "Format of the case file."});
+                         "Format of the case file; this version reads 1."});
   option(m.title, Text{"title", Need::optional, "One line that says what the case is."});
   option(m.mesh, Table{"mesh", "The mesh or geometry."});
   option(m.model, Table{"model", "Gravity and the laws of flow."});

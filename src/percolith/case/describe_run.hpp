@@ -18,7 +18,8 @@ void describe(V& option, simulation::Stepping& m) {
                                   "small ones below its stability limit; steady finds the state "
                                   "that no longer changes."});
   option(m.end, Quantity{"end", "s", not_negative, Need::optional,
-                         "Time at which the run ends. Required unless steady."});
+                         "Time at which the run ends. Needs implicit or explicit.",
+                         "required unless steady"});
   option(m.step, Quantity{"step", "s", positive, Need::optional,
                           "Fixed step (implicit), or upper bound of the step (explicit).",
                           "chosen by the program"});

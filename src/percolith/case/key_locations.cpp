@@ -9,8 +9,10 @@ Written KeyLocations::nearest(const std::string& key) const {
     return exact->second;
   }
   std::string path = key;
-  for (std::size_t dot = path.rfind('.'); dot != std::string::npos; dot = path.rfind('.')) {
-    path.resize(dot);
+  // An element of a list, as in `groups[0]`, belongs to its option.
+  for (std::size_t end = path.find_last_of(".["); end != std::string::npos;
+       end = path.find_last_of(".[")) {
+    path.resize(end);
     const auto holder = written_.find(path);
     if (holder != written_.end()) {
       return {holder->second.location, {}};

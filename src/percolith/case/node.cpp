@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <system_error>
 
 namespace percolith::case_file {
 
@@ -108,7 +111,11 @@ std::string to_toml(double value) {
   if (std::isfinite(value) && text.find_first_of(".e") == std::string::npos) {
     text += ".0";
   }
-  return text;
+  std::array<char, 32> scientific{};
+  const auto [end, failure] =
+      std::to_chars(scientific.begin(), scientific.end(), value, std::chars_format::scientific);
+  const auto size = static_cast<std::size_t>(end - scientific.begin());
+  return failure == std::errc{} && size < text.size() ? std::string(scientific.data(), size) : text;
 }
 
 std::string to_toml(std::string_view text) {

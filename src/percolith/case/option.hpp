@@ -41,7 +41,8 @@ inline constexpr Bounds positive_fraction{0.0, 1.0, false, true};
 
 /// A number with a unit, or several: the member may be a number, an optional number, a list, a
 /// point, a tensor or a schedule. `unit` is the SI unit in the notation of UDUNITS, "1" for none.
-/// `absent` says what an optional member that is not given means.
+/// `absent` says what it means not to give the option, where the
+/// member's initialiser does not.
 struct Quantity {
   std::string_view name;
   std::string_view unit;

@@ -14,7 +14,7 @@ using Path = std::vector<std::string>;
 
 /// The parts of a dotted path.
 [[nodiscard]] Path split_path(std::string_view text);
-/// True for a name of the letters a to z, digits, _ and -, at least one.
+/// True for a name of the letters A to Z and a to z, digits, _ and -, at least one.
 [[nodiscard]] bool is_plain_name(std::string_view name);
 /// True where every part is a plain name.
 [[nodiscard]] bool is_plain_path(const Path& path);

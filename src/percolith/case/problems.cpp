@@ -24,7 +24,8 @@ InputErrors::InputErrors(std::vector<InputProblem> problems)
 
 bool Problems::touch(const std::string& key) const {
   return std::any_of(problems_.begin(), problems_.end(), [&](const InputProblem& problem) {
-    return problem.key == key || problem.key.rfind(key + ".", 0) == 0;
+    return problem.key == key || problem.key.rfind(key + ".", 0) == 0 ||
+           key.rfind(problem.key + ".", 0) == 0;
   });
 }
 

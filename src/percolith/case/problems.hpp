@@ -22,7 +22,7 @@ private:
 class Problems {
 public:
   void add(InputProblem problem) { problems_.push_back(std::move(problem)); }
-  /// True where a problem stands at this key, or at one that it holds.
+  /// True where a problem stands at this key, at one that it holds, or at one that holds it.
   [[nodiscard]] bool touch(const std::string& key) const;
   /// Throws InputErrors, in the order of the file, where there are any.
   void throw_if_any();

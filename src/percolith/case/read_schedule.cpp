@@ -121,6 +121,16 @@ std::optional<Schedule> read_inline(const Node& node, const std::string& key,
   return Schedule{*times, *values, table.interpolation};
 }
 
+/// Reports that the option `name` names no column, or that it is not given where it must be.
+void refuse_column(const Node& node, const std::string& key, const std::string& name,
+                   const std::string& file, const CsvTable& table, Context& context) {
+  const Node* column = node.table()->find(name);
+  report(context, column != nullptr ? *column : node, join_key(key, name),
+         column != nullptr ? file + " has no such column"
+                           : file + " does not have two columns, so the one to use must be named",
+         listed({table.columns.begin(), table.columns.end()}));
+}
+
 std::optional<Schedule> read_file(const Node& node, const std::string& key,
                                   const ScheduleTable& table, Context& context) {
   const std::filesystem::path path = context.directory / table.file;
@@ -141,13 +151,9 @@ std::optional<Schedule> read_file(const Node& node, const std::string& key,
   const auto time_column = find_column(csv, table.time_column, 0);
   const auto value_column = find_column(csv, table.value_column, 1);
   if (!time_column || !value_column) {
-    const bool time_missing = !time_column;
-    const std::string& name = time_missing ? table.time_column : table.value_column;
-    return refuse(node, key + (time_missing ? ".time_column" : ".value_column"), context,
-                  name.empty() ? fmt::format("{} does not have two columns; name the one to use",
-                                             path.string())
-                               : fmt::format("{} has no column \"{}\"", path.string(), name),
-                  listed({csv.columns.begin(), csv.columns.end()}));
+    refuse_column(node, key, time_column ? "value_column" : "time_column", path.string(), csv,
+                  context);
+    return std::nullopt;
   }
   ColumnReader reader(csv, path.string(), key, context);
   const auto times =

@@ -56,7 +56,7 @@ bool Reader::check_name(const Entry& entry, const std::string& path) {
                            path,
                            {},
                            "not a usable name",
-                           "letters a to z, digits, _ and -"});
+                           "letters A to Z and a to z, digits, _ and -"});
   }
   return good;
 }

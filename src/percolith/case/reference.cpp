@@ -30,7 +30,8 @@ public:
       : path_(std::move(path)), rows_(rows), sections_(sections) {}
 
   void operator()(double& member, const Quantity& option) {
-    number(option, "quantity", to_toml(member));
+    number(option, "quantity",
+           option.absent.empty() ? to_toml(member) : std::string(option.absent));
   }
   void operator()(std::optional<double>& /*member*/, const Quantity& option) {
     number(option, "quantity", option.absent);

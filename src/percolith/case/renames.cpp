@@ -57,6 +57,18 @@ Path new_path(const Path& path, const Path& from, Path to) {
   return to;
 }
 
+/// Takes out the value and the tables that held nothing else.
+void erase_with_empty_tables(Node& root, Path path) {
+  erase_at(root, path);
+  for (path.pop_back(); !path.empty(); path.pop_back()) {
+    const Node* table = find_at(root, path);
+    if (table == nullptr || table->table() == nullptr || !table->table()->list.empty()) {
+      return;
+    }
+    erase_at(root, path);
+  }
+}
+
 std::string to_text(const FileLocation& at) {
   return at.line > 0 ? fmt::format("{}:{}:{}", at.file, at.line, at.column) : at.file;
 }
@@ -89,7 +101,7 @@ std::vector<std::string> apply_renames(Node& root, std::span<const Rename> renam
             to_text(value.key_location), dotted(path), dotted(target), rename.removed_in));
         set_at(root, target, std::move(value));
       }
-      erase_at(root, path);
+      erase_with_empty_tables(root, path);
     }
   }
   return warnings;

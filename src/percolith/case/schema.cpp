@@ -74,7 +74,7 @@ public:
   explicit SchemaWriter(Json& table) : table_(table) {}
 
   void operator()(double& member, const Quantity& option) {
-    add(option, number_schema(option), json_of(member));
+    add(option, number_schema(option), option.absent.empty() ? json_of(member) : Json());
   }
   void operator()(std::optional<double>& /*member*/, const Quantity& option) {
     add(option, number_schema(option), nullptr);

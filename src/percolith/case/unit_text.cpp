@@ -62,6 +62,9 @@ std::optional<NumberWithUnit> split_number(std::string_view text) {
   }
   if (!rest.empty() && rest.front() == '+') {
     rest.remove_prefix(1);
+    if (!rest.empty() && rest.front() == '-') {
+      return std::nullopt;
+    }
   }
   const std::size_t sign = !rest.empty() && rest.front() == '-' ? 1 : 0;
   if (rest.size() <= sign || (!is_digit(rest[sign]) && rest[sign] != '.')) {

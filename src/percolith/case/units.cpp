@@ -102,8 +102,11 @@ Units::Converted Units::convert(double value, std::string_view unit,
   }
   const UnitHandle to = database_->parse(si_unit);
   if (!to || ut_are_convertible(from.get(), to.get()) == 0) {
-    return {std::nullopt,
-            fmt::format("the unit \"{}\" is not one of {}", unit, dimension_of(si_unit).name)};
+    return {
+        std::nullopt,
+        si_unit == "1"
+            ? fmt::format("the unit \"{}\" has a dimension, which the option has not", unit)
+            : fmt::format("the unit \"{}\" is not one of {}", unit, dimension_of(si_unit).name)};
   }
   const std::unique_ptr<cv_converter, ConverterDeleter> converter(
       ut_get_converter(from.get(), to.get()));

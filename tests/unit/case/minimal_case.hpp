@@ -53,7 +53,7 @@ inline std::string error_of(const std::string& text,
   return {};
 }
 
-/// As error_of, for the minimal case with more text after it. That text begins on line 21.
+/// As error_of, for the minimal case with more text after it. That text begins on line 20.
 inline std::string error_with(const std::string& more,
                               const std::vector<std::string>& overrides = {}) {
   return error_of(minimal_case + more, overrides);

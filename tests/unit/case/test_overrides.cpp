@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "unit/case/minimal_case.hpp"
+
+namespace percolith::case_file {
+namespace {
+
+TEST(Overrides, ReplaceAddAndTakeOut) {
+  const simulation::Setup setup =
+      read(minimal_case, {"time.end=2 hour", "model.gravity = 9.81", "title = \"A = B\"",
+                          "fluid.density=900", "probe.axis={from=[0, 0], to=[1, 0]}",
+                          "probe.axis.points=7", "boundary.left.pressure=", "boundary.left.head=3",
+                          "time.end=3 hour", "mesh.file=other.msh"})
+          .setup;
+  EXPECT_EQ(setup.time.end, 10800.0);
+  EXPECT_EQ(setup.model.gravity, 9.81);
+  EXPECT_EQ(setup.title, "A = B");
+  EXPECT_EQ(setup.fluid.density, 900.0);
+  EXPECT_EQ(setup.probe.at("axis").points, 7);
+  EXPECT_FALSE(setup.boundary.at("left").pressure.has_value());
+  EXPECT_EQ(setup.boundary.at("left").head, Schedule::constant(3.0));
+  EXPECT_EQ(setup.mesh.file, "other.msh");
+}
+
+TEST(Overrides, ABareTextMayHoldAnything) {
+  EXPECT_EQ(read(minimal_case, {"title=one\nfluid = 3"}).setup.title, "one\nfluid = 3");
+  EXPECT_EQ(read(minimal_case, {"title=3\nfluid = 3"}).setup.title, "3\nfluid = 3");
+}
+
+TEST(Overrides, TakingOutWhatIsNotThereIsNoError) {
+  EXPECT_EQ(error_set({"probe.a.points=", "fluid.density="}), "");
+}
+
+TEST(Overrides, Errors) {
+  EXPECT_EQ(error_set({"time.end"}),
+            "--set: error: cannot read \"time.end\"; allowed: path.to.key=value");
+  EXPECT_EQ(error_set({"=3"}), "--set: error: cannot read \"=3\"; allowed: path.to.key=value");
+  EXPECT_EQ(error_set({"time..end=3"}),
+            "--set: error: cannot read \"time..end=3\"; allowed: path.to.key=value");
+  EXPECT_EQ(error_set({"time.end.more=3"}),
+            "--set: error: time.end.more = 3: \"time.end\" is not a table");
+  EXPECT_EQ(error_set({"model.gravity=[1"}),
+            "--set: error: model.gravity = [1: not valid TOML: encountered end-of-file; allowed: a "
+            "TOML value, or a bare text");
+  EXPECT_EQ(error_set({"time.nd=3"}).substr(0, 74),
+            "--set: error: time.nd: unknown option; the nearest valid name is \"end\"; al");
+}
+
+TEST(Overrides, StandBesideErrorsOfTheFile) {
+  EXPECT_EQ(error_with("safety = 0.5\n", {"model.gravity=-1"}),
+            "--set: error: model.gravity = -1: out of range; allowed: >= 0 m/s2\n"
+            "case.toml:20:10: error: time.safety = 0.5: has no effect here: it needs time.scheme = "
+            "\"explicit\"");
+}
+
+}  // namespace
+}  // namespace percolith::case_file
