@@ -49,7 +49,11 @@ std::string limit_text(const simulation::CheckReport& report,
   if (first) {
     return text + "  none: nothing flows\n";
   }
-  const double step = stepping.safety * report.limits.front().step;
+  double stable = std::numeric_limits<double>::infinity();
+  for (const simulation::StepLimit& limit : report.limits) {
+    stable = std::fmin(stable, limit.step);  // the mechanisms act together: the last one holds
+  }
+  const double step = stepping.safety * stable;
   switch (stepping.scheme) {
   case simulation::Scheme::explicit_: {
     const double used = std::fmin(step, stepping.step.value_or(step));

@@ -64,8 +64,9 @@ void RunLog::on_located_warning(const std::string& text) {
   sink_->write(spdlog::level::warn, text, file_);
 }
 
-void RunLog::on_frame(const simulation::Frame& frame) {
-  information(fmt::format("frame at time {} s, step {}", frame.time, frame.step));
+// Probes come with every output, even where none are asked for.
+void RunLog::on_probes(double time, const std::vector<simulation::ProbeSample>&) {
+  information(fmt::format("output at time {} s", time));
 }
 
 }  // namespace percolith::cli

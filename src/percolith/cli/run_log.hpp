@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace percolith::cli {
 
@@ -25,7 +26,7 @@ public:
   void on_warning(const std::string& text) override;
   /// A warning of the case file, which says itself where it belongs.
   void on_located_warning(const std::string& text);
-  void on_frame(const simulation::Frame& frame) override;
+  void on_probes(double time, const std::vector<simulation::ProbeSample>& samples) override;
 
 private:
   struct Sink;

@@ -19,6 +19,15 @@ double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+// Reading the case and building the model came before the recorder.
+double started_at(const LoadedModel& model) {
+  double started = seconds_now();
+  for (const auto& [phase, seconds] : model.wall_time) {
+    started -= seconds;
+  }
+  return started;
+}
+
 io::RunRecord record_of(const RunOptions& options, const LoadedModel& model) {
   io::RunRecord record;
   record.version = version_and_revision();
@@ -69,9 +78,8 @@ std::vector<simulation::Observer*> chosen(io::ResultsWriter& results, io::Progre
 
 RunRecorder::RunRecorder(const io::RunDirectory& directory, const RunOptions& options,
                          const LoadedModel& model)
-    : directory_(directory), model_(model), is_quiet_(options.quiet),
-      record_(record_of(options, model)),
-      results_(directory.path(), {model.read_case.setup.output.fields, !record_.fractures.empty()}),
+    : directory_(directory), model_(model), started_(started_at(model)), is_quiet_(options.quiet),
+      record_(record_of(options, model)), results_(directory.path(), !record_.fractures.empty()),
       progress_(progress_line()), log_(directory.file("run.log"),
                                        [this](const std::string& line) {
                                          progress_.clear();
@@ -98,7 +106,7 @@ void RunRecorder::write_summary(io::Outcome outcome, const std::string& reason) 
   record_.outcome = outcome;
   record_.reason = reason;
   std::map<std::string, double> wall_time = model_.wall_time;
-  wall_time["output"] += results_.wall_time();
+  wall_time["total"] = seconds_now() - started_;
   io::write_file(directory_.file("summary.json"),
                  io::summary_json(record_, model_.simulation.summary(), wall_time),
                  io::Durability::synced);

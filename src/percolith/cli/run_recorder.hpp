@@ -37,6 +37,7 @@ private:
 
   const io::RunDirectory& directory_;
   const LoadedModel& model_;
+  double started_;  // s, wall time
   bool is_quiet_;
   io::RunRecord record_;
   io::ResultsWriter results_;

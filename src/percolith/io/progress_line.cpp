@@ -43,6 +43,9 @@ std::string format_progress(const simulation::Progress& progress, double remaini
     text += fmt::format("  time {:.4g} s of {:.4g} s ({:.0f} %)", progress.time, progress.end,
                         std::floor(100 * share_done(progress)));
   }
+  if (remaining >= 0) {
+    text += "  ETA " + format_duration(remaining);
+  }
   if (progress.step_size > 0) {
     text += fmt::format("  step size {:.3g} s", progress.step_size);
     if (progress.limited_by != nullptr && *progress.limited_by != '\0') {
@@ -51,9 +54,6 @@ std::string format_progress(const simulation::Progress& progress, double remaini
   }
   if (progress.iterations > 0) {
     text += fmt::format("  iterations {}", progress.iterations);
-  }
-  if (remaining >= 0) {
-    text += "  ETA " + format_duration(remaining);
   }
   return text;
 }

@@ -12,8 +12,9 @@ namespace percolith::io {
 /// `seconds` for people: "4.2 s", "3 min 05 s", "2 h 10 min", "5 d 03 h".
 [[nodiscard]] std::string format_duration(double seconds);
 
-/// One line on where a run stands: step, time, share of the end time, step size with what limits
-/// it, iterations of the last step, and the wall time still to go in s (left out when negative).
+/// One line on where a run stands, what matters most first, since a narrow terminal cuts its end:
+/// step, time, share of the end time, wall time `remaining` in s (left out when negative), step
+/// size with what limits it, iterations of the last step.
 [[nodiscard]] std::string format_progress(const simulation::Progress& progress, double remaining);
 
 /// How progress is shown: one line redrawn in place, or a new line now and then.

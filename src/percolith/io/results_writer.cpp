@@ -8,45 +8,20 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
 namespace percolith::io {
-namespace {
-
-// Adds the time from its making to its end to an account.
-class Stopwatch {
-public:
-  explicit Stopwatch(double& account) : account_(account) {}
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-  ~Stopwatch() { account_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-
-private:
-  using Clock = std::chrono::steady_clock;
-  double& account_;
-  Clock::time_point start_ = Clock::now();
-};
-
-}  // namespace
-
-ResultsWriter::ResultsWriter(std::filesystem::path folder, ResultsOptions options)
-    : folder_(std::move(folder)), options_(options), matrix_series_(folder_ / "matrix.pvd"),
+ResultsWriter::ResultsWriter(std::filesystem::path folder, bool has_cracks)
+    : folder_(std::move(folder)), has_cracks_(has_cracks), matrix_series_(folder_ / "matrix.pvd"),
       crack_series_(folder_ / "cracks.pvd") {}
 
 void ResultsWriter::on_history(const simulation::HistoryRow& row) {
-  const Stopwatch stopwatch(wall_time_);
   if (!history_) {
     history_.emplace(folder_ / "history.csv");
     history_->append(history_header(row));
   }
-  history_->append(history_line(row, options_.has_cracks));
+  history_->append(history_line(row, has_cracks_));
 }
 
 void ResultsWriter::on_frame(const simulation::Frame& frame) {
-  if (!options_.fields) {
-    return;
-  }
-  const Stopwatch stopwatch(wall_time_);
   make_folder(folder_ / "fields");
   const std::string matrix = fmt::format("fields/matrix_{:06}.vtu", frames_);
   write_matrix(folder_ / matrix, frame.time, frame.matrix);
@@ -60,7 +35,6 @@ void ResultsWriter::on_frame(const simulation::Frame& frame) {
 }
 
 void ResultsWriter::on_probes(double time, const std::vector<simulation::ProbeSample>& samples) {
-  const Stopwatch stopwatch(wall_time_);
   for (const simulation::ProbeSample& sample : samples) {
     auto file = probes_.find(sample.name);
     if (file == probes_.end()) {

@@ -12,34 +12,26 @@
 
 namespace percolith::io {
 
-/// What to write beside the history and the probes.
-struct ResultsOptions {
-  bool fields = true;       ///< the field series
-  bool has_cracks = false;  ///< the model has fractures
-};
-
 /// Writes what a simulation reports into a run's folder: `history.csv`, `probes/<name>.csv`,
 /// `matrix.pvd` and, from the first frame with an open crack on, `cracks.pvd`, with their files
 /// under `fields/`. Every call leaves complete lines and complete files; it throws FileError where
 /// the system refuses.
 class ResultsWriter : public simulation::Observer {
 public:
-  ResultsWriter(std::filesystem::path folder, ResultsOptions options);
+  /// `folder` exists; `has_cracks`: the model has fractures.
+  ResultsWriter(std::filesystem::path folder, bool has_cracks);
   void on_history(const simulation::HistoryRow& row) override;
   void on_frame(const simulation::Frame& frame) override;
   void on_probes(double time, const std::vector<simulation::ProbeSample>& samples) override;
-  /// Seconds spent writing.
-  [[nodiscard]] double wall_time() const { return wall_time_; }
 
 private:
   std::filesystem::path folder_;
-  ResultsOptions options_;
+  bool has_cracks_;
   std::optional<AppendFile> history_;
   std::map<std::string, AppendFile> probes_;
   TimeSeries matrix_series_;
   TimeSeries crack_series_;
   int frames_ = 0;
-  double wall_time_ = 0.0;
 };
 
 }  // namespace percolith::io

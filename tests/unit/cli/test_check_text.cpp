@@ -24,7 +24,9 @@ simulation::CheckReport report() {
   report.smallest_angle_place = {0.25, 0.5};
   report.region_area = {{"rock", 1.5}};
   report.fracture_length_by_group = {{"fault", 1.0}};
-  report.limits = {{"crack flow", 1e-6, {0.5, 0.5}}, {"pore flow", 2e-3, {0.1, 0.2}}};
+  report.limits = {{"crack flow", 1e-6, {0.5, 0.5}},
+                   {"pore flow", 2e-3, {0.1, 0.2}},
+                   {"all together", 0.8e-6, {0.5, 0.5}}};
   return report;
 }
 
@@ -55,7 +57,7 @@ TEST(CheckText, TellsWhatTheSchemeMakesOfTheLimits) {
   stepping.safety = 0.5;
   stepping.scheme = simulation::Scheme::explicit_;
   EXPECT_TRUE(has(check_text(report(), stepping),
-                  "scheme explicit: step 5e-07 s, about 2e+06 steps to the end"));
+                  "scheme explicit: step 4e-07 s, about 2.5e+06 steps to the end"));
   stepping.step = 1e-7;
   EXPECT_TRUE(has(check_text(report(), stepping),
                   "scheme explicit: step 1e-07 s, about 1e+07 steps to the end"));

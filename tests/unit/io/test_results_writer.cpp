@@ -18,7 +18,7 @@ using std::filesystem::exists;
 
 TEST(ResultsWriter, WritesSeriesTablesAndProbes) {
   const test::TemporaryFolder folder;
-  ResultsWriter writer(folder.path(), {.fields = true, .has_cracks = true});
+  ResultsWriter writer(folder.path(), true);
   const std::vector<simulation::ProbeSample> samples = {{"well", {"pressure_Pa"}, {{{0, 1}, {5}}}}};
   for (const double time : {0.0, 0.1}) {
     simulation::HistoryRow row;
@@ -42,12 +42,11 @@ TEST(ResultsWriter, WritesSeriesTablesAndProbes) {
   const std::string history = test::read_text(folder / "history.csv");
   EXPECT_EQ(std::count(history.begin(), history.end(), '\n'), 3);
   EXPECT_EQ(history.find("time_s,step,"), 0U);
-  EXPECT_GT(writer.wall_time(), 0.0);
 }
 
 TEST(ResultsWriter, StartsTheCrackSeriesWithTheFirstCrack) {
   const test::TemporaryFolder folder;
-  ResultsWriter writer(folder.path(), {});
+  ResultsWriter writer(folder.path(), false);
   simulation::Frame intact = test::cracked_square(0);
   intact.cracks = {};
   writer.on_frame(intact);
@@ -56,24 +55,16 @@ TEST(ResultsWriter, StartsTheCrackSeriesWithTheFirstCrack) {
   EXPECT_NE(test::read_text(folder / "cracks.pvd").find("cracks_000001.vtu"), std::string::npos);
 }
 
-TEST(ResultsWriter, LeavesFieldsOutOnRequest) {
-  const test::TemporaryFolder folder;
-  ResultsWriter writer(folder.path(), {.fields = false});
-  writer.on_frame(test::cracked_square(0));
-  EXPECT_FALSE(exists(folder / "fields"));
-  EXPECT_FALSE(exists(folder / "matrix.pvd"));
-}
-
 TEST(ResultsWriter, KeepsProbesWithOddNamesInTheirFolder) {
   const test::TemporaryFolder folder;
-  ResultsWriter writer(folder.path(), {});
+  ResultsWriter writer(folder.path(), false);
   writer.on_probes(0, {{"../up", {"pressure_Pa"}, {}}});
   EXPECT_TRUE(exists(folder / "probes/%2E.%2Fup.csv"));
 }
 
 TEST(ResultsWriter, LeavesAWholeSeriesWhereTheDiskFillsUp) {
   const test::TemporaryFolder folder;
-  ResultsWriter writer(folder.path(), {});
+  ResultsWriter writer(folder.path(), false);
   writer.on_frame(test::cracked_square(0));
   const std::string before = test::read_text(folder / "matrix.pvd");
   {

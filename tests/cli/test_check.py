@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`percolith check`."""
+
+import re
+
+from conftest import line_of
+
+
+def limits(text: str) -> dict[str, float]:
+    """Step (s) by mechanism, in the order printed."""
+    rows = re.findall(r"^  (\D+?) +(\S+) s at \(", text, re.MULTILINE)
+    return {mechanism: float(step) for mechanism, step in rows}
+
+
+def test_prints_mesh_model_and_limits(percolith, six_fractures):
+    done = percolith("check", six_fractures)
+    assert done.returncode == 0, done.stderr
+    assert "Six fractures in a block of porous rock" in done.stdout
+    for word in ["triangles", "broken joints", "angles", "region rock: 1200 m2",
+                 "fracture network: ", "pore nodes", "crack nodes"]:
+        assert word in done.stdout
+    assert done.stdout.endswith("The case can be run.\n")
+
+
+def test_limits_come_smallest_first_and_one_rules(percolith, six_fractures):
+    text = percolith("check", six_fractures).stdout
+    found = limits(text)
+    together = found.pop("all together")
+    assert {"pore flow", "crack flow", "exchange"} <= set(found)
+    assert list(found.values()) == sorted(found.values())
+    assert together < min(found.values())
+    assert text.count("<- rules") == 1
+    ruling = next(line for line in text.splitlines() if "<- rules" in line)
+    assert ruling.split(" s at ")[0].split()[0] == next(iter(found)).split()[0]
+
+
+def test_limit_follows_the_case(percolith, strip):
+    step = limits(percolith("check", strip).stdout)["pore flow"]
+    other = limits(percolith("check", strip, "--set",
+                             "material.rock.permeability=4e-13 m2").stdout)["pore flow"]
+    assert abs(step / other - 2) < 1e-3
+
+
+def test_writes_nothing(percolith, strip, tmp_path):
+    before = sorted(tmp_path.rglob("*"))
+    percolith("check", strip)
+    assert sorted(tmp_path.rglob("*")) == before
+
+
+def test_errors_of_the_model_are_located(percolith, strip):
+    strip.write_text(strip.read_text().replace('groups = ["left"]', 'groups = ["lefft"]'))
+    done = percolith("check", strip)
+    assert done.returncode == 2
+    where = f"{strip}:{line_of(strip, 'lefft')}:"
+    assert done.stderr.startswith(where), done.stderr
+    assert "boundary.left.groups" in done.stderr
+    assert "lefft" in done.stderr
+    assert done.stdout == ""
+
+
+def test_missing_mesh_is_located(percolith, strip):
+    strip.write_text(strip.read_text().replace("strip_05.msh", "none.msh"))
+    done = percolith("check", strip)
+    assert done.returncode == 2
+    where = f"{strip}:{line_of(strip, 'none.msh')}:"
+    assert done.stderr.startswith(where), done.stderr
+    assert f"there is no file {strip.parent / 'none.msh'}" in done.stderr
+
+
+def test_missing_case_file(percolith, tmp_path):
+    done = percolith("check", "none.toml")
+    assert done.returncode == 4
+    assert "none.toml" in done.stderr
+    assert done.stderr.startswith("error: ")

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`percolith run`: what it leaves behind and what it never destroys."""
+
+import csv
+import json
+import tomllib
+
+import pytest
+
+from conftest import SHORT, STEADY, files_of, line_of
+
+
+def rows_of(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def test_leaves_a_complete_run_directory(percolith, strip, tmp_path):
+    done = percolith("run", strip, *SHORT, "--threads", "2", "--output", "out")
+    assert done.returncode == 0, done.stderr
+    out = tmp_path / "out"
+    summary = json.loads((out / "summary.json").read_text())
+    assert summary["outcome"] == "finished"
+    assert summary["title"] == "Transient flow through a strip"
+    assert summary["case_file"] == str(strip)
+    assert summary["end_time_s"] == pytest.approx(0.02, rel=1e-12)
+    assert summary["steps"] >= 20
+    assert summary["threads"] == 2
+    assert summary["mass_balance"]["relative_error"] < 1e-12
+    assert summary["extremes"]["maximum_pressure_Pa"] == pytest.approx(1e5)
+    assert summary["state_hash"]
+    assert {"case file", "mesh file", "model", "output", "total"} <= set(summary["wall_time_s"])
+
+    history = rows_of(out / "history.csv")
+    times = [float(row["time_s"]) for row in history]
+    assert times == sorted(times)
+    assert {0, 0.001, 0.005, 0.01, 0.02} <= {round(time, 12) for time in times}
+    assert float(history[-1]["boundary.left_m2_per_s"]) > 0
+    assert history[-1]["minimum_crack_pressure_Pa"] == ""
+
+    probe = rows_of(out / "probes/centre.csv")
+    assert len(probe) == 5 * 21
+    assert list(probe[0])[:4] == ["time_s", "x_m", "y_m", "pressure_Pa"]
+
+    assert (out / "matrix.pvd").read_text().count("<DataSet ") == 5
+    assert len(list((out / "fields").glob("matrix_*.vtu"))) == 5
+    assert not (out / "cracks.pvd").exists()
+    assert not list(out.rglob("*.part"))
+    log = (out / "run.log").read_text()
+    assert "info: percolith " in log
+    assert "info: finished at time 0.02 s" in log
+
+
+def test_resolved_case_gives_the_same_run(percolith, strip, tmp_path):
+    assert percolith("run", strip, *STEADY, "--output", "one").returncode == 0
+    resolved = tmp_path / "one/resolved.toml"
+    assert tomllib.loads(resolved.read_text())["time"]["scheme"] == "steady"
+    done = percolith("run", resolved, "--output", "two")
+    assert done.returncode == 0, done.stderr
+    hashes = {json.loads((tmp_path / run / "summary.json").read_text())["state_hash"]
+              for run in ("one", "two")}
+    assert len(hashes) == 1
+
+
+def test_cracks_have_their_series(percolith, six_fractures, tmp_path):
+    done = percolith("run", six_fractures, *STEADY, "--output", "out")
+    assert done.returncode == 0, done.stderr
+    assert "<DataSet " in (tmp_path / "out/cracks.pvd").read_text()
+    summary = json.loads((tmp_path / "out/summary.json").read_text())
+    assert summary["fractures"] == ["network"]
+    assert "maximum_crack_pressure_Pa" in summary["extremes"]
+
+
+def test_results_go_here_named_after_the_case(percolith, strip, tmp_path):
+    assert percolith("run", strip, *STEADY).returncode == 0
+    assert (tmp_path / "case.results/summary.json").is_file()
+
+
+def test_set_replaces_options(percolith, strip, tmp_path):
+    done = percolith("run", strip, *STEADY, "--set", "boundary.left.pressure=2 bar",
+                     "--output", "out")
+    assert done.returncode == 0, done.stderr
+    summary = json.loads((tmp_path / "out/summary.json").read_text())
+    assert summary["extremes"]["maximum_pressure_Pa"] == pytest.approx(2e5)
+
+
+def test_fields_can_be_left_out(percolith, strip, tmp_path):
+    assert percolith("run", strip, *STEADY, "--set", "output.fields=false", "--output",
+                     "out").returncode == 0
+    assert not (tmp_path / "out/matrix.pvd").exists()
+    assert (tmp_path / "out/history.csv").is_file()
+
+
+def test_quiet_prints_nothing(percolith, strip):
+    done = percolith("run", strip, *SHORT, "--quiet")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+def test_says_where_the_results_are(percolith, strip):
+    done = percolith("run", strip, *SHORT)
+    assert done.stdout.splitlines()[-1].startswith("finished at time 0.02 s after ")
+    assert done.stdout.endswith("results in case.results\n")
+    assert "\r" not in done.stdout
+
+
+def test_plain_progress_lines_without_a_terminal(percolith, strip):
+    lines = percolith("run", strip, *SHORT).stdout.splitlines()[:-1]
+    assert 5 <= len(lines) <= 12
+    assert all(line.startswith("step ") and " of 0.02 s (" in line for line in lines)
+
+
+def test_equal_bits_for_one_and_two_threads(percolith, six_fractures, tmp_path):
+    texts = set()
+    for threads in ("1", "2"):
+        out = tmp_path / threads
+        assert percolith("run", six_fractures, *STEADY, "--threads", threads, "--output",
+                         out).returncode == 0
+        texts.add((out / "probes/y5.csv").read_bytes())
+    assert len(texts) == 1
+
+
+def test_earlier_results_need_force(percolith, strip, tmp_path):
+    assert percolith("run", strip, *STEADY).returncode == 0
+    before = files_of(tmp_path / "case.results")
+    done = percolith("run", strip, *STEADY)
+    assert done.returncode == 2
+    assert done.stderr == ("error: --output = case.results: the folder holds results of an earlier "
+                           "run; allowed: --force to replace them, or another --output\n")
+    assert files_of(tmp_path / "case.results") == before
+    (tmp_path / "case.results/notes.txt").write_text("mine")
+    assert percolith("run", strip, *SHORT, "--force").returncode == 0
+    assert (tmp_path / "case.results/notes.txt").read_text() == "mine"
+    assert len(list((tmp_path / "case.results/fields").iterdir())) == 5
+
+
+def test_force_never_touches_other_folders(percolith, strip, tmp_path):
+    (tmp_path / "home").mkdir()
+    (tmp_path / "home/history.csv").write_text("mine")
+    done = percolith("run", strip, *STEADY, "--output", "home", "--force")
+    assert done.returncode == 2
+    assert "the folder is not empty and holds no results of a run" in done.stderr
+    assert files_of(tmp_path / "home") == {"history.csv": b"mine"}
+
+
+@pytest.mark.parametrize("mistake", [("porosity = 0.1", "porosity = -0.1"),
+                                     ("strip_05.msh", "none.msh"),
+                                     ('["left"]', '["lefft"]')])
+def test_bad_input_never_destroys_earlier_results(percolith, strip, tmp_path, mistake):
+    assert percolith("run", strip, *STEADY).returncode == 0
+    before = files_of(tmp_path / "case.results")
+    strip.write_text(strip.read_text().replace(*mistake))
+    done = percolith("run", strip, *STEADY, "--force")
+    assert done.returncode == 2
+    assert done.stderr.startswith(f"{strip}:{line_of(strip, mistake[1])}:"), done.stderr
+    assert ": error: " in done.stderr
+    assert files_of(tmp_path / "case.results") == before
+
+
+def test_bad_input_leaves_no_folder(percolith, strip, tmp_path):
+    done = percolith("run", strip, "--set", "material.rock.porosity=2", "--output", "out")
+    assert done.returncode == 2
+    assert "material.rock.porosity" in done.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_output_that_cannot_be_made(percolith, strip, tmp_path):
+    (tmp_path / "file").write_text("")
+    done = percolith("run", strip, *STEADY, "--output", "file/out")
+    assert done.returncode in (2, 4)
+    assert "file/out" in done.stderr
