@@ -50,7 +50,12 @@ const mesh::CurveEdges& find_curve(const mesh::Mesh& mesh, const std::string& na
                                    const std::string& key) {
   const auto found = mesh.curves.find(name);
   if (found != mesh.curves.end()) {
-    return found->second;
+    const mesh::CurveEdges& curve = found->second;
+    if (curve.joints.empty() && curve.boundary.empty() && curve.loose.empty()) {
+      refuse(key, name, "no edge of this physical curve lies in the rock",
+             "curves on the boundary of the rock or inside it");
+    }
+    return curve;
   }
   std::string reason = "the mesh has no physical curve of this name";
   if (std::find(mesh.region_names.begin(), mesh.region_names.end(), name) !=
