@@ -71,7 +71,7 @@ Case read_case_text(std::string_view text, const std::filesystem::path& file,
   apply_overrides(root, overrides, problems);
   check_format(root);
   result.warnings = apply_renames(root, renames, problems);
-  const Units units;
+  Units units;
   Context context{units, result.directory, problems, result.locations};
   Reader reader(root, {}, context);
   describe(reader, result.setup);

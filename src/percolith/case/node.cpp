@@ -54,7 +54,7 @@ bool is_continuation(char byte) {
 
 auto position(auto& list, std::string_view key) {
   return std::lower_bound(list.begin(), list.end(), key,
-                          [](const Entry& entry, std::string_view k) { return entry.key < k; });
+                          [](const Entry& entry, std::string_view k) { return entry.key.compare(k) < 0; });
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace percolith::case_file {
 
 /// What reading takes besides the text: units, where files lie, and where findings go.
 struct Context {
-  const Units& units;
+  Units& units;
   std::filesystem::path directory;  ///< files named in the case are relative to it
   Problems& problems;
   KeyLocations& locations;

@@ -65,36 +65,40 @@ struct Units::Database {
   };
   std::unique_ptr<ut_system, SystemDeleter> system;
 
+  void load();
   [[nodiscard]] UnitHandle parse(std::string_view unit) const {
     return UnitHandle(ut_parse(system.get(), std::string(unit).c_str(), UT_UTF8));
   }
 };
 
-Units::Units() : database_(std::make_unique<Database>()) {
+void Units::Database::load() {
   ut_set_error_message_handler(ut_ignore);
-  database_->system.reset(ut_read_xml(nullptr));
-  if (!database_->system) {
+  system.reset(ut_read_xml(nullptr));
+  if (!system) {
     throw FileError("cannot read the unit database of UDUNITS-2; install the package libudunits2-0 "
                     "or set UDUNITS2_XML_PATH");
   }
   for (const OwnSymbol& own : own_symbols) {
-    const UnitHandle unit = database_->parse(own.unit);
+    const UnitHandle unit = parse(own.unit);
     if (!unit || ut_map_symbol_to_unit(own.symbol, UT_UTF8, unit.get()) != UT_SUCCESS) {
       throw FileError(fmt::format("the unit database of UDUNITS-2 has no unit \"{}\"", own.unit));
     }
   }
 }
 
+Units::Units() : database_(std::make_unique<Database>()) {}
 Units::~Units() = default;
 
-Units::Converted Units::convert(double value, std::string_view unit,
-                                std::string_view si_unit) const {
+Units::Converted Units::convert(double value, std::string_view unit, std::string_view si_unit) {
   if (unit == si_unit) {
     return {value, {}};
   }
   std::string misread = misread_unit(unit);
   if (!misread.empty()) {
     return {std::nullopt, std::move(misread)};
+  }
+  if (!database_->system) {
+    database_->load();
   }
   const UnitHandle from = database_->parse(unit);
   if (!from) {

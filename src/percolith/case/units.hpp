@@ -21,7 +21,6 @@ struct Dimension {
 /// D, deg).
 class Units {
 public:
-  /// Reads the unit database; throws FileError where it cannot.
   Units();
   ~Units();
   Units(const Units&) = delete;
@@ -32,9 +31,9 @@ public:
     std::optional<double> value;
     std::string reason;
   };
-  /// `value` in `unit` as a value in `si_unit`.
-  [[nodiscard]] Converted convert(double value, std::string_view unit,
-                                  std::string_view si_unit) const;
+  /// `value` in `unit` as a value in `si_unit`. The first conversion reads the unit database, and
+  /// throws FileError where it cannot.
+  [[nodiscard]] Converted convert(double value, std::string_view unit, std::string_view si_unit);
 
 private:
   struct Database;

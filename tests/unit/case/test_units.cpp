@@ -11,14 +11,14 @@ namespace percolith::case_file {
 namespace {
 
 double convert(double value, const char* unit, const char* si_unit) {
-  const Units units;
+  Units units;
   const Units::Converted converted = units.convert(value, unit, si_unit);
   EXPECT_TRUE(converted.value.has_value()) << converted.reason;
   return converted.value.value_or(std::nan(""));
 }
 
 std::string reason(const char* unit, const char* si_unit) {
-  const Units units;
+  Units units;
   const Units::Converted converted = units.convert(1.0, unit, si_unit);
   EXPECT_FALSE(converted.value.has_value());
   return converted.reason;
@@ -65,7 +65,7 @@ TEST(Units, RefusesUnitsThatWouldBeMisread) {
 }
 
 TEST(Units, GivesNoInfinityFromAFiniteValue) {
-  const Units units;
+  Units units;
   EXPECT_EQ(units.convert(1e308, "km", "m").reason, "the unit \"km\" gives no number in m");
 }
 
@@ -85,7 +85,7 @@ TEST(SplitNumber, PartsNumberAndUnit) {
 }
 
 TEST(Units, ConvertsBackAndForth) {
-  const Units units;
+  Units units;
   const bool holds = rc::check("a value survives the way to another unit and back", [&] {
     const double value = *rc::gen::map(rc::gen::inRange(-1000000, 1000000),
                                        [](int i) { return static_cast<double>(i) * 1e-3; });

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/case/case.hpp"
+#include "percolith/case/documents.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using percolith::case_file::Case;
+
+/// A case that is accepted must survive being written and read again.
+void check_round_trip(const Case& accepted) {
+  const std::string text = percolith::case_file::resolved_toml(accepted.setup);
+  try {
+    const Case again = percolith::case_file::read_case_text(text, "resolved.toml");
+    if (again.setup == accepted.setup) {
+      return;
+    }
+    std::cerr << "read again as another setup:\n" << text;
+  } catch (const percolith::Error& error) {
+    std::cerr << error.what() << "\nin\n" << text;
+  }
+  std::abort();
+}
+
+}  // namespace
+
+/// Reads any text as a case file. The part after a zero byte is a `--set` of the command line. Only
+/// errors that name what is wrong may come out.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view input(reinterpret_cast<const char*>(data), size);
+  const std::size_t end = input.find('\0');
+  std::vector<std::string> overrides;
+  if (end != std::string_view::npos) {
+    overrides.emplace_back(input.substr(end + 1));
+  }
+  try {
+    check_round_trip(
+        percolith::case_file::read_case_text(input.substr(0, end), "case.toml", overrides));
+  } catch (const percolith::Error& error) {
+    if (std::string_view(error.what()).empty()) {
+      std::abort();
+    }
+  }
+  return 0;
+}
