@@ -134,8 +134,12 @@ void add_finite_joints(const Model& model, FlowGraph& graph) {
     }
     const auto& corner = model.mesh.joint[at(j)].corner;
     for (std::size_t end = 0; end < 2; ++end) {
-      add_edge(graph, graph.node_of_corner[at(corner[0][end])],
-               graph.node_of_corner[at(corner[1][end])], model.pore.joint[at(j)]);
+      const Index first = graph.node_of_corner[at(corner[0][end])];
+      const Index second = graph.node_of_corner[at(corner[1][end])];
+      // Next to a fracture with infinite exchange both corners may share its pressure.
+      if (first != second) {
+        add_edge(graph, first, second, model.pore.joint[at(j)]);
+      }
     }
   }
   graph.joint_edges = graph.edges();
