@@ -70,7 +70,8 @@ std::optional<PlaceInTriangle> TriangleFinder::find(const Point& p) const {
   const auto cell = cell_of(p);
   for (const Index t : cells_.row(cell[1] * columns_ + cell[0])) {
     auto weight = weights_in(mesh_->triangle_points(t), p);
-    if (*std::min_element(weight.begin(), weight.end()) < -tolerance) {
+    // Asked this way round, the weights of a point so far away that they overflow fail too.
+    if (!std::all_of(weight.begin(), weight.end(), [](double w) { return w >= -tolerance; })) {
       continue;
     }
     double sum = 0.0;
