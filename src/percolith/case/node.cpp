@@ -53,8 +53,9 @@ bool is_continuation(char byte) {
 }
 
 auto position(auto& list, std::string_view key) {
-  return std::lower_bound(list.begin(), list.end(), key,
-                          [](const Entry& entry, std::string_view k) { return entry.key.compare(k) < 0; });
+  return std::lower_bound(
+      list.begin(), list.end(), key,
+      [](const Entry& entry, std::string_view k) { return entry.key.compare(k) < 0; });
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ Dimension dimension_of(std::string_view si_unit) {
 
 struct Units::Database {
   struct SystemDeleter {
-    void operator()(ut_system* system) const { ut_free_system(system); }
+    void operator()(ut_system* loaded) const { ut_free_system(loaded); }
   };
   std::unique_ptr<ut_system, SystemDeleter> system;
 

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/case/documents.hpp"
+
+#include <iterator>
+
+#include "unit/case/minimal_case.hpp"
+#include "unit/case/temporary_folder.hpp"
+
+namespace percolith::case_file {
+namespace {
+
+/// The blocks of that language in the guide to case files.
+std::vector<std::string> blocks_of(const std::string& language) {
+  std::ifstream stream("docs/case-file.md", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  const std::string opening = "```" + language + "\n";
+  std::vector<std::string> blocks;
+  for (std::size_t at = text.find(opening); at != std::string::npos; at = text.find(opening, at)) {
+    at += opening.size();
+    blocks.push_back(text.substr(at, text.find("```", at) - at));
+  }
+  return blocks;
+}
+
+void replace(std::string& text, const std::string& part, const std::string& other) {
+  ASSERT_NE(text.find(part), std::string::npos) << part;
+  text.replace(text.find(part), part.size(), other);
+}
+
+TEST(Guide, ItsFirstCaseIsValid) {
+  const simulation::Setup setup = read(blocks_of("toml").at(0)).setup;
+  EXPECT_EQ(setup.time.end, 60.0);
+  EXPECT_EQ(setup.output.times, (std::vector<double>{1.0, 10.0}));
+}
+
+TEST(Guide, ItsFirstCaseBecomesSteadyAsItSays) {
+  EXPECT_EQ(error_of(blocks_of("toml").at(0), {"time.scheme=steady", "time.end=", "output.times="}),
+            "");
+}
+
+TEST(Guide, ItsOtherExamplesMakeAValidCaseTogether) {
+  const TemporaryFolder folder;
+  folder.write("pump.csv", "minutes,rate\n0,1\n5,2\n");
+  const std::vector<std::string> blocks = blocks_of("toml");
+  std::string text = "format = 1\n";
+  for (std::size_t i = 1; i < blocks.size(); ++i) {
+    text += blocks[i];
+  }
+  const simulation::Setup setup = read_case_text(text, folder.path() / "case.toml").setup;
+  EXPECT_EQ(setup.source.at("test").rate->time, (std::vector<double>{0.0, 300.0}));
+  EXPECT_EQ(read(resolved_toml(setup)).setup, setup);
+}
+
+TEST(Guide, ItsErrorsAreThoseOfTheProgram) {
+  std::string text = blocks_of("toml").at(0);
+  replace(text, "file = ", "fiel = ");
+  replace(text, "\"200 mdarcy\"", "\"200\"");
+  replace(text, "porosity = 0.1", "porosity = 1.1");
+  try {
+    (void)read_case_text(text, "strip.toml");
+    FAIL() << "a case full of errors was read";
+  } catch (const InputErrors& errors) {
+    EXPECT_EQ(std::string(errors.what()) + "\n", blocks_of("text").at(0));
+  }
+}
+
+}  // namespace
+}  // namespace percolith::case_file
