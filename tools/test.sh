@@ -4,17 +4,16 @@
 source "$(dirname "$0")/lib.sh"
 source "$(dirname "$0")/stages.sh"
 
+# Each folder in a process of its own, because each has helpers of its own in a conftest.py.
 python_tests() {
-  local folders=() folder
-  for folder in tests/tools tests/python tests/cli tests/reference; do
-    if compgen -G "$folder/test_*.py" >/dev/null; then
-      folders+=("$folder")
-    fi
+  local name report
+  for name in tools python cli reference; do
+    report=build/python-$name.xml
+    suite "Python tests ($name)" "$report" \
+      env PERCOLITH="$PWD/build/developer/bin/percolith" PYTHONPATH="$PWD/python" MPLBACKEND=Agg \
+      .venv/bin/python -m pytest -q -p no:cacheprovider --durations=3 --durations-min=1 \
+      --junitxml="$report" "tests/$name"
   done
-  suite "Python tests" build/python.xml \
-    env PERCOLITH="$PWD/build/developer/bin/percolith" PYTHONPATH="$PWD/python" MPLBACKEND=Agg \
-    .venv/bin/python -m pytest -q -p no:cacheprovider --durations=5 \
-    --junitxml=build/python.xml "${folders[@]}"
 }
 
 fuzz_tests() {
