@@ -46,7 +46,7 @@ bool is_program(const fs::path& file) {
 
 fs::path find_program(const std::string& name) {
   for (const fs::path& folder : search_folders()) {
-    if (const fs::path program = folder / (std::string(prefix) + name); is_program(program)) {
+    if (fs::path program = folder / (std::string(prefix) + name); is_program(program)) {
       return program;
     }
   }
@@ -98,6 +98,7 @@ int run_external_command(std::span<const std::string> arguments) {
   std::vector<std::string> words(arguments.begin(), arguments.end());
   words.front() = program.string();
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) {
     pointers.push_back(word.data());
   }
