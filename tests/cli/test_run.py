@@ -101,6 +101,8 @@ def test_says_where_the_results_are(percolith, strip):
     assert done.stdout.splitlines()[-1].startswith("finished at time 0.02 s after ")
     assert done.stdout.endswith("results in case.results\n")
     assert "\r" not in done.stdout
+    steady = percolith("run", strip, *STEADY, "--output", "steady")
+    assert steady.stdout.splitlines()[-1].startswith("finished the steady state, mass balance ")
 
 
 def test_plain_progress_lines_without_a_terminal(percolith, strip):

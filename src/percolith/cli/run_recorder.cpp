@@ -115,10 +115,12 @@ void RunRecorder::write_summary(io::Outcome outcome, const std::string& reason) 
 void RunRecorder::finish() {
   write_summary(io::Outcome::finished, "");
   const simulation::Summary summary = model_.simulation.summary();
+  const bool is_steady = model_.read_case.setup.time.scheme == simulation::Scheme::steady;
   const std::string text = fmt::format(
-      "finished at time {:.6g} s after {} steps, mass balance error {:.1e}; results in {}",
-      summary.end_time, summary.steps, summary.last.balance.relative_error,
-      directory_.path().string());
+      "finished {}, mass balance error {:.1e}; results in {}",
+      is_steady ? "the steady state"
+                : fmt::format("at time {:.6g} s after {} steps", summary.end_time, summary.steps),
+      summary.last.balance.relative_error, directory_.path().string());
   log_.information(text);
   say(text);
 }
