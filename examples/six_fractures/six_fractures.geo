@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rock of 40 m x 30 m with six fractures, some of which cross or end on the outer boundary.
-// Shipped meshes: gmsh -2 -format msh41 -bin -setnumber size 1.07 six_fractures.geo
-DefineConstant[ size = 1.07 ];
+// Shipped meshes: gmsh -2 -format msh41 -bin -setnumber size 1.4 six_fractures.geo
+// (0.7 for the fine one). The size is that along the fractures; the pressure gradient is steepest at
+// the tips inside the rock, so elements are finer there, and coarser at the corners of the block.
+DefineConstant[ size = 1.4 ];
+tip = 0.35*size;
+corner = 1.2*size;
 
 // Ends of the fractures (m).
 ax = -10;  ay = 15;    bx = 10;  by = 7.5;
@@ -19,22 +23,22 @@ cd_ef_x = cx + t*(dx - cx);  cd_ef_y = cy + t*(dy - cy);
 t = ((ex - kx)*(fy - ey) - (ey - ky)*(fx - ex))/((lx - kx)*(fy - ey) - (ly - ky)*(fx - ex));
 kl_ef_x = kx + t*(lx - kx);  kl_ef_y = ky + t*(ly - ky);
 
-Point(1) = {-20, -15, 0, size};
+Point(1) = {-20, -15, 0, corner};
 Point(2) = {lx, ly, 0, size};
-Point(3) = {20, -15, 0, size};
-Point(4) = {20, 15, 0, size};
+Point(3) = {20, -15, 0, corner};
+Point(4) = {20, 15, 0, corner};
 Point(5) = {jx, jy, 0, size};
 Point(6) = {cx, cy, 0, size};
 Point(7) = {ax, ay, 0, size};
-Point(8) = {-20, 15, 0, size};
-Point(9) = {bx, by, 0, size};
-Point(10) = {dx, dy, 0, size};
-Point(11) = {ex, ey, 0, size};
-Point(12) = {fx, fy, 0, size};
-Point(13) = {gx, gy, 0, size};
-Point(14) = {hx, hy, 0, size};
-Point(15) = {ix, iy, 0, size};
-Point(16) = {kx, ky, 0, size};
+Point(8) = {-20, 15, 0, corner};
+Point(9) = {bx, by, 0, tip};
+Point(10) = {dx, dy, 0, tip};
+Point(11) = {ex, ey, 0, tip};
+Point(12) = {fx, fy, 0, tip};
+Point(13) = {gx, gy, 0, tip};
+Point(14) = {hx, hy, 0, tip};
+Point(15) = {ix, iy, 0, tip};
+Point(16) = {kx, ky, 0, tip};
 Point(17) = {cd_ab_x, cd_ab_y, 0, size};
 Point(18) = {cd_ef_x, cd_ef_y, 0, size};
 Point(19) = {kl_ef_x, kl_ef_y, 0, size};

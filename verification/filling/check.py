@@ -11,7 +11,7 @@ from report import Chapter
 
 TITLE = "Filling of an empty crack: a front that moves with the square root of time"
 HERE = Path(__file__).parent
-APERTURE, PRESSURE, VISCOSITY = 1e-4, 1e5, 1e-3
+APERTURE, PRESSURE, VISCOSITY, ELEMENT = 1e-4, 1e5, 1e-3, 5e-3
 
 
 def fronts(result):
@@ -27,7 +27,9 @@ def check(chapter: Chapter, work: Path) -> None:
     figure, axes = plt.subplots(figsize=(7, 4.4), layout="constrained")
     for label, settings, mark in (
             ("implicit", {}, "o"),
-            ("explicit", {"time.scheme": "explicit"}, "x")):
+            # The explicit step shrinks with the stiffness of the fluid: a softer one, less time.
+            ("explicit", {"time.scheme": "explicit", "fluid.bulk_modulus": 2e7, "time.end": 0.5,
+                          "output.interval": 0.05}, "x")):
         result = run_case(HERE / "case.toml", work / label, settings)
         times, front = fronts(result)
         exact = formulas.filling_front(times, PRESSURE, APERTURE, VISCOSITY)
@@ -38,9 +40,10 @@ def check(chapter: Chapter, work: Path) -> None:
                         abs(slope - 0.5), 0.02)
         chapter.at_most(f"{label}.balance", f"{label}: mass balance error", result.balance, 1e-12)
         axes.plot(times, front, mark, label=label, markerfacecolor="none")
-        dry = result.results.summary["mass_balance"]["in_m2"] / APERTURE - front[-1]
+        # The node at the mouth, half an element, is full from the start.
+        let_in = result.results.summary["mass_balance"]["in_m2"] / APERTURE + ELEMENT / 2
         chapter.at_most(f"{label}.volume", f"{label}: fluid let in over the aperture, minus the "
-                        "front, m", abs(dry), 1e-3)
+                        "front, m", abs(let_in - front[-1]), 1e-3)
     time = np.linspace(0, 3, 200)
     axes.plot(time, formulas.filling_front(time, PRESSURE, APERTURE, VISCOSITY), "k",
               linewidth=1, label="analytic")

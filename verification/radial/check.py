@@ -50,7 +50,7 @@ def check(chapter: Chapter, work: Path) -> None:
                        "Pressure along the radius; circles: analytic")
     radius, gradient, exact = gradient_curve(tied)
     chapter.at_most("gradient", "mean gradient in rings of 0.03 m: largest error over the "
-                    "gradient there", abs(gradient / exact - 1).max(), 0.01)
+                    "gradient there", abs(gradient / exact - 1).max(), 0.02)
     chapter.add_figure(compare_figure([("tied", radius, gradient, exact)], "r (m)",
                                       "Pressure gradient (MPa/m)", 1e6),
                        "Pressure gradient, mean over rings; circles: analytic")
