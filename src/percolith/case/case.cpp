@@ -63,6 +63,13 @@ Case read_case(const std::filesystem::path& file, std::span<const std::string> o
 
 Case read_case_text(std::string_view text, const std::filesystem::path& file,
                     std::span<const std::string> overrides, std::span<const Rename> renames) {
+  Units units;
+  return read_case_text(text, file, overrides, renames, units);
+}
+
+Case read_case_text(std::string_view text, const std::filesystem::path& file,
+                    std::span<const std::string> overrides, std::span<const Rename> renames,
+                    Units& units) {
   Node root = parse(text, file.string());
   Problems problems;
   Case result;
@@ -71,7 +78,6 @@ Case read_case_text(std::string_view text, const std::filesystem::path& file,
   apply_overrides(root, overrides, problems);
   check_format(root);
   result.warnings = apply_renames(root, renames, problems);
-  Units units;
   Context context{units, result.directory, problems, result.locations};
   Reader reader(root, {}, context);
   describe(reader, result.setup);

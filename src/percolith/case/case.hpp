@@ -4,6 +4,7 @@
 #include "percolith/case/key_locations.hpp"
 #include "percolith/case/problems.hpp"
 #include "percolith/case/renames.hpp"
+#include "percolith/case/units.hpp"
 #include "percolith/simulation/setup.hpp"
 
 #include <filesystem>
@@ -33,6 +34,12 @@ struct Case {
 [[nodiscard]] Case read_case_text(std::string_view text, const std::filesystem::path& file,
                                   std::span<const std::string> overrides = {},
                                   std::span<const Rename> renames = renamed_options());
+
+/// As read_case_text, with units that a caller who reads many cases keeps: reading their database
+/// takes longer than reading a case.
+[[nodiscard]] Case read_case_text(std::string_view text, const std::filesystem::path& file,
+                                  std::span<const std::string> overrides,
+                                  std::span<const Rename> renames, Units& units);
 
 /// The same error with what the case file adds to it: the location of its key, or of the table
 /// that would hold it, and the value written there. An error that has a location is left as it is.
