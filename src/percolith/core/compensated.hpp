@@ -13,10 +13,11 @@ struct CompensatedSum {
 };
 
 /// Adds `term` and keeps the exact rounding error of the addition (Knuth's two-sum).
-PERCOLITH_DEVICE void add_compensated(double& value, double& carry, double term) {
-  const double sum = value + term;
-  const double term_part = sum - value;
-  const double error = (value - (sum - term_part)) + (term - term_part);
+template <class Real>
+PERCOLITH_DEVICE void add_compensated(Real& value, Real& carry, Real term) {
+  const Real sum = value + term;
+  const Real term_part = sum - value;
+  const Real error = (value - (sum - term_part)) + (term - term_part);
   value = sum;
   carry += error;
 }

@@ -29,6 +29,9 @@ struct ScalarLane {
 
   PERCOLITH_DEVICE static Real load(const double* from) { return *from; }
   PERCOLITH_DEVICE static void store(double* to, Real value) { *to = value; }
+  PERCOLITH_DEVICE static Real gather(const double* from, const std::int32_t* slot) {
+    return from[*slot];
+  }
 };
 
 PERCOLITH_DEVICE double select(bool condition, double yes, double no) {
@@ -46,6 +49,9 @@ struct VectorLane {
   static Real load(const double* from) { return Real(from, std::experimental::element_aligned); }
   static void store(double* to, Real value) {
     value.copy_to(to, std::experimental::element_aligned);
+  }
+  static Real gather(const double* from, const std::int32_t* slot) {
+    return Real([&](auto element) { return from[slot[element]]; });
   }
 };
 

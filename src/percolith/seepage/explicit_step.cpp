@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/seepage/explicit_step.hpp"
 
+#include "percolith/seepage/joint_flow.hpp"
+#include "percolith/seepage/pore_contents.hpp"
 #include "percolith/seepage/pore_flow.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace percolith::seepage {
 namespace {
@@ -16,149 +19,70 @@ double donor_weight(double flow_into_first, double s_first, double s_second) {
   return saturation_weight(flow_into_first > 0.0 ? s_second : s_first);
 }
 
-/// Flows through a joint: between the pore nodes of its two sides while it is unbroken, (20)-(22);
-/// along the crack, (29), and from the crack into its faces, (33), (36), once it is broken.
-struct JointFlow {
+/// Flows of the broken joints: along the crack, (29), and from the crack into its faces, (33),
+/// (36). Entry k of the results belongs to the k-th broken joint.
+struct CrackFlow {
   const Model* model;
-  const Index* active;
-  double* joint_flow;
-  double* crack_flow;
+  double* exchange_flow;  // into the four corners of the joint
+  double* crack_flow;     // from end 0 to end 1
 
   void operator()(ScalarLane lane) const {
-    const Index j = active[lane.first];
-    if (model->cracks.is_broken(j)) {
-      broken(j);
-    } else {
-      finite(j);
-    }
-  }
-
-private:
-  void finite(Index j) const {
-    const auto& corner = model->mesh.joint[at(j)].corner;
-    const State& s = model->state;
-    for (std::size_t end = 0; end < 2; ++end) {
-      const auto a = at(corner[0][end]);
-      const auto b = at(corner[1][end]);
-      double flow = model->pore.joint[at(j)] * (s.pressure[b] - s.pressure[a]);
-      flow *= donor_weight(flow, s.saturation[a], s.saturation[b]);
-      joint_flow[4 * at(j) + end] = flow;
-      joint_flow[4 * at(j) + 2 + end] = -flow;
-    }
-  }
-
-  void broken(Index j) const {
-    const mesh::Joint& joint = model->mesh.joint[at(j)];
+    const auto k = at(lane.first);
+    const auto j = at(model->cracks.broken_joints()[k]);
+    const mesh::Joint& joint = model->mesh.joint[j];
     const State& s = model->state;
     for (std::size_t side = 0; side < 2; ++side) {
       for (std::size_t end = 0; end < 2; ++end) {
         const auto face = at(joint.corner[side][end]);
         const auto node = at(joint.vertex[end]);
-        double flow = model->crack.exchange[at(j)] * (s.crack_pressure[node] - s.pressure[face]);
+        double flow = model->crack.exchange[j] * (s.crack_pressure[node] - s.pressure[face]);
         flow *= donor_weight(flow, s.saturation[face], s.crack_saturation[node]);
-        joint_flow[4 * at(j) + 2 * side + end] = flow;
+        exchange_flow[4 * k + 2 * side + end] = flow;
       }
     }
     const auto a = at(joint.vertex[0]);
     const auto b = at(joint.vertex[1]);
-    double flow = model->crack.conductance[at(j)] * ((s.crack_pressure[a] - s.crack_pressure[b]) +
-                                                     (model->crack.lift[a] - model->crack.lift[b]));
+    double flow = model->crack.conductance[j] * ((s.crack_pressure[a] - s.crack_pressure[b]) +
+                                                 (model->crack.lift[a] - model->crack.lift[b]));
     flow *= donor_weight(flow, s.crack_saturation[b], s.crack_saturation[a]);
-    crack_flow[j] = flow;
+    crack_flow[k] = flow;
   }
 };
 
-/// Gathers the inflow of the pore nodes at a vertex in ascending order of corners, then joints,
-/// and advances their contents, (23), (24).
-struct PoreContents {
-  Model* model;
-  const double* inflow;
-  const double* joint_flow;
-  const std::uint8_t* active;
-  const std::uint8_t* whole;
-  double reference_pressure;
-  bool can_empty;
-  double dt;
+/// Adds what a corner at a crack face receives from the one or two cracks it lies at.
+struct FaceInflow {
+  const CrackFace* face;
+  const double* exchange_flow;
+  double* inflow;
 
   void operator()(ScalarLane lane) const {
-    const auto corners = model->mesh.vertex_corners.row(lane.first);
-    if (corners.empty()) {
-      return;
+    const CrackFace& f = face[lane.first];
+    double sum = exchange_flow[f.flow[0]];
+    if (f.flow[1] != mesh::none) {
+      sum += exchange_flow[f.flow[1]];
     }
-    const bool joints = active[lane.first] != 0;
-    if (whole[lane.first] != 0 && !joints) {
-      double sum = 0.0;
-      for (const Index c : corners) {
-        sum += inflow[c];
-      }
-      const auto fluid = advance(corners.front(), sum);
-      for (const Index c : corners) {
-        model->state.pressure[at(c)] = fluid.pressure;
-        model->state.saturation[at(c)] = fluid.saturation;
-      }
-      return;
-    }
-    for (const Index node : corners) {
-      if (model->pore_nodes.leader(node) == node) {
-        const auto fluid = advance(node, node_inflow(lane.first, node));
-        for (const Index c : corners) {
-          if (model->pore_nodes.leader(c) == node) {
-            model->state.pressure[at(c)] = fluid.pressure;
-            model->state.saturation[at(c)] = fluid.saturation;
-          }
-        }
-      }
-    }
-  }
-
-private:
-  [[nodiscard]] double node_inflow(Index vertex, Index node) const {
-    double sum = 0.0;
-    model->pore_nodes.for_each_corner(model->mesh, node, [&](Index c) { sum += inflow[c]; });
-    if (active[vertex] == 0) {
-      return sum;
-    }
-    for (const Index j : model->mesh.vertex_joints.row(vertex)) {
-      if (model->pore.joint.empty() && !model->cracks.is_broken(j)) {
-        continue;
-      }
-      const auto end = at(model->mesh.joint_end(j, vertex));
-      for (std::size_t side = 0; side < 2; ++side) {
-        if (model->pore_nodes.leader(model->mesh.joint[at(j)].corner[side][end]) == node) {
-          sum += joint_flow[4 * at(j) + 2 * side + end];
-        }
-      }
-    }
-    return sum;
-  }
-
-  [[nodiscard]] FluidState<double> advance(Index node, double sum) const {
-    State& s = model->state;
-    const auto i = at(node);
-    add_compensated(s.content[i], s.content_carry[i], sum * dt);
-    return fluid_state(s.content[i] + s.content_carry[i], 0.0, s.storage[i], s.void_volume[i],
-                       reference_pressure, can_empty);
+    inflow[f.corner] += sum;
   }
 };
 
-/// Gathers the inflow of an open crack node and advances its content, (30)-(32), (34).
+/// Advances the contents of the open crack nodes by what flows along the cracks and into the faces,
+/// in ascending order of joints, (30)-(32), (34).
 struct CrackContents {
   Model* model;
-  const double* joint_flow;
+  const mesh::IndexTable* ends;
+  const double* exchange_flow;
   const double* crack_flow;
   double dt;
 
   void operator()(ScalarLane lane) const {
     const Index vertex = model->cracks.open_nodes()[at(lane.first)];
     double sum = 0.0;
-    for (const Index j : model->mesh.vertex_joints.row(vertex)) {
-      if (!model->cracks.is_broken(j)) {
-        continue;
-      }
-      const auto end = at(model->mesh.joint_end(j, vertex));
-      sum += end == 0 ? -crack_flow[j] : crack_flow[j];
-      sum -= joint_flow[4 * at(j) + end];
-      sum -= joint_flow[4 * at(j) + 2 + end];
+    for (const Index entry : ends->row(lane.first)) {
+      const Index k = entry / 2;
+      const Index end = entry % 2;
+      sum += end == 0 ? -crack_flow[k] : crack_flow[k];
+      sum -= exchange_flow[4 * k + end];
+      sum -= exchange_flow[4 * k + 2 + end];
     }
     CompensatedSum content{model->state.crack_content[at(vertex)],
                            model->state.crack_content_carry[at(vertex)]};
@@ -167,56 +91,112 @@ struct CrackContents {
   }
 };
 
-/// True when no node has voids left to fill.
-bool all_full(const Model& model) {
-  const auto full = [](double s) { return s >= 1.0; };
-  return std::all_of(model.state.saturation.begin(), model.state.saturation.end(), full) &&
-         std::all_of(model.state.crack_saturation.begin(), model.state.crack_saturation.end(),
-                     full);
+/// Joins the entries of corners that lie at two cracks; both orders ascend.
+void merge_faces(std::vector<CrackFace>& faces) {
+  std::stable_sort(faces.begin(), faces.end(),
+                   [](const CrackFace& a, const CrackFace& b) { return a.corner < b.corner; });
+  std::size_t count = 0;
+  for (const CrackFace& face : faces) {
+    if (count > 0 && faces[count - 1].corner == face.corner) {
+      faces[count - 1].flow[1] = face.flow[0];
+    } else {
+      faces[count++] = face;
+    }
+  }
+  faces.resize(count);
+}
+
+/// Places in the list of open nodes by vertex.
+std::vector<Index> open_node_numbers(const Model& model) {
+  std::vector<Index> number(model.mesh.vertex.size(), mesh::none);
+  Index count = 0;
+  for (const Index v : model.cracks.open_nodes()) {
+    number[at(v)] = count++;
+  }
+  return number;
 }
 
 }  // namespace
 
 ExplicitStep::ExplicitStep(const Model& model) : inflow_(at(model.mesh.corners()), 0.0) {
+  if (!model.pore.joint.empty()) {
+    across_ = joints_across(model);
+  }
   network_changed(model);
 }
 
 void ExplicitStep::network_changed(const Model& model) {
-  active_joints_.clear();
-  active_.assign(model.mesh.vertex.size(), 0);
-  for (Index j = 0; j < model.mesh.joints(); ++j) {
-    if (!model.pore.joint.empty() || model.cracks.is_broken(j)) {
-      active_joints_.push_back(j);
-      active_[at(model.mesh.joint[at(j)].vertex[0])] = 1;
-      active_[at(model.mesh.joint[at(j)].vertex[1])] = 1;
+  const auto& broken = model.cracks.broken_joints();
+  exchange_flow_.resize(4 * broken.size());
+  crack_flow_.resize(broken.size());
+  faces_.clear();
+  crack_ends_.start.assign(model.cracks.open_nodes().size() + 1, 0);
+  const std::vector<Index> node = open_node_numbers(model);
+  for (const Index j : broken) {
+    for (const Index v : model.mesh.joint[at(j)].vertex) {
+      ++crack_ends_.start[at(node[at(v)]) + 1];
     }
   }
-  if (!active_joints_.empty()) {
-    joint_flow_.resize(4 * model.mesh.joint.size(), 0.0);
-    crack_flow_.resize(model.mesh.joint.size(), 0.0);
+  std::partial_sum(crack_ends_.start.begin(), crack_ends_.start.end(), crack_ends_.start.begin());
+  crack_ends_.entry.resize(2 * broken.size());
+  std::vector<Index> next(crack_ends_.start.begin(), crack_ends_.start.end() - 1);
+  for (std::size_t k = 0; k < broken.size(); ++k) {
+    const mesh::Joint& joint = model.mesh.joint[at(broken[k])];
+    for (std::size_t end = 0; end < 2; ++end) {
+      const auto slot = static_cast<Index>(4 * k + end);
+      crack_ends_.entry[at(next[at(node[at(joint.vertex[end])])]++)] =
+          static_cast<Index>(2 * k + end);
+      faces_.push_back({joint.corner[0][end], {slot, mesh::none}});
+      faces_.push_back({joint.corner[1][end], {slot + 2, mesh::none}});
+    }
+    if (!across_.conductance.empty()) {
+      close_joint(model, broken[k], across_);
+    }
   }
+  merge_faces(faces_);
 }
 
 void ExplicitStep::advance(Model& model, double dt, Execution& execution) {
   const double t = model.state.time + dt;
-  saturated_ = !model.can_empty() || all_full(model);
+  const bool weighted = model.can_empty();
+  const auto cracks = static_cast<Index>(crack_flow_.size());
+  State& s = model.state;
   std::fill(model.rate.begin(), model.rate.end(), 0.0);
   execution.for_each("pore flow", model.mesh.triangles(),
-                     PoreFlow{model.state.pressure.data(), model.state.saturation.data(),
-                              model.pore.conductance.data(), model.pore.lift.data(), inflow_.data(),
-                              model.weight, saturated_});
-  execution.for_each(
-      "joint flow", static_cast<Index>(active_joints_.size()),
-      JointFlow{&model, active_joints_.data(), joint_flow_.data(), crack_flow_.data()});
+                     PoreFlow{s.pressure.data(), s.saturation.data(), model.pore.conductance.data(),
+                              model.pore.lift.data(), inflow_.data(), model.weight, weighted});
+  if (!across_.conductance.empty()) {
+    execution.for_each("joint flow", model.mesh.triangles(),
+                       JointFlow{s.pressure.data(), s.saturation.data(), across_.conductance.data(),
+                                 across_.start.data(), across_.end.data(), inflow_.data(),
+                                 weighted});
+  }
+  execution.for_each("crack flow", cracks,
+                     CrackFlow{&model, exchange_flow_.data(), crack_flow_.data()});
+  execution.for_each("crack flow", static_cast<Index>(faces_.size()),
+                     FaceInflow{faces_.data(), exchange_flow_.data(), inflow_.data()});
   apply_rates(model, dt);
-  execution.for_each("pore contents", model.mesh.vertices(),
-                     PoreContents{&model, inflow_.data(), joint_flow_.data(), active_.data(),
-                                  model.pore_nodes.whole().data(), model.reference_pressure(),
-                                  model.can_empty(), dt});
-  execution.for_each("crack contents", static_cast<Index>(model.cracks.open_nodes().size()),
-                     CrackContents{&model, joint_flow_.data(), crack_flow_.data(), dt});
+  advance_pores(model, dt, execution);
+  execution.for_each(
+      "crack contents", static_cast<Index>(model.cracks.open_nodes().size()),
+      CrackContents{&model, &crack_ends_, exchange_flow_.data(), crack_flow_.data(), dt});
   apply_pressures(model, dt, t);
   model.state.time = t;
+}
+
+void ExplicitStep::advance_pores(Model& model, double dt, Execution& execution) {
+  State& s = model.state;
+  const ContentViews views{s.content.data(),  s.content_carry.data(),
+                           s.storage.data(),  s.void_volume.data(),
+                           s.pressure.data(), s.saturation.data(),
+                           inflow_.data(),    model.reference_pressure(),
+                           model.can_empty(), dt};
+  if (across_.conductance.empty()) {
+    execution.for_each("pore contents", model.mesh.vertices(),
+                       NodeContents{views, &model.mesh, &model.pore_nodes});
+  } else {
+    execution.for_each("pore contents", model.mesh.triangles(), CornerContents{views});
+  }
 }
 
 void ExplicitStep::book(Model& model, Index condition, double volume, double dt) {

@@ -2,11 +2,19 @@
 #pragma once
 
 #include "percolith/core/execution.hpp"
+#include "percolith/seepage/joint_flow.hpp"
 #include "percolith/seepage/model.hpp"
 
+#include <array>
 #include <vector>
 
 namespace percolith::seepage {
+
+/// A corner at the face of one or two cracks, and where the flows into it stand.
+struct CrackFace {
+  Index corner;
+  std::array<Index, 2> flow;  ///< of the lower joint first; the second may be `none`
+};
 
 /// Advances a model by explicit steps (theory 3.5): flows from the present pressures, contents
 /// from the flows, pressures from the contents. Holds the buffers the flows are gathered from.
@@ -22,16 +30,17 @@ public:
   void network_changed(const Model& model);
 
 private:
+  void advance_pores(Model& model, double dt, Execution& execution);
   void apply_rates(Model& model, double dt);
   void apply_pressures(Model& model, double dt, double t);
   void book(Model& model, Index condition, double volume, double dt);
 
-  std::vector<double> inflow_;        // per corner, from its triangle, m2/s
-  std::vector<double> joint_flow_;    // per joint: into each of its four corners
-  std::vector<double> crack_flow_;    // per joint: along the crack from end 0 to end 1
-  std::vector<Index> active_joints_;  // finite or broken
-  std::vector<std::uint8_t> active_;  // per vertex: an active joint ends here
-  bool saturated_ = false;            // no node was partly empty at the start of the step
+  std::vector<double> inflow_;         // per corner, m2/s
+  JointsAcross across_;                // of finite joints; empty when all are tied
+  std::vector<double> exchange_flow_;  // per broken joint: into each of its four corners, m2/s
+  std::vector<double> crack_flow_;     // per broken joint: from end 0 to end 1, m2/s
+  std::vector<CrackFace> faces_;
+  mesh::IndexTable crack_ends_;  // per open crack node: broken joint k, end e as 2 k + e
 };
 
 }  // namespace percolith::seepage

@@ -21,7 +21,7 @@ PERCOLITH_DEVICE Real pair_flow(Real conductance, Real potential_difference, Rea
 
 /// Inflow (m2/s) of the three corners of a triangle from each other. Views hold one entry per
 /// corner slot. `how` chooses the saturation weight: of the donor, or of the mean of the corners,
-/// (17); `saturated` leaves both out.
+/// (17). Where voids cannot be partly empty it is left out: not `weighted`.
 struct PoreFlow {
   static constexpr bool vectorised = true;
   const double* pressure;
@@ -30,7 +30,7 @@ struct PoreFlow {
   const double* lift;
   double* inflow;
   SaturationWeight how;
-  bool saturated;
+  bool weighted;
 
   template <class Lane>
   PERCOLITH_DEVICE void operator()(Lane lane) const {
@@ -52,8 +52,7 @@ struct PoreFlow {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
       const Real difference = (potential[next] - potential[k]) + (height[next] - height[k]);
-      flow[k] =
-          saturated ? c[k] * difference : pair_flow(c[k], difference, weight[k], weight[next]);
+      flow[k] = weighted ? pair_flow(c[k], difference, weight[k], weight[next]) : c[k] * difference;
     }
     Lane::store(inflow + first, flow[0] - flow[2]);
     Lane::store(inflow + first + block_width, flow[1] - flow[0]);
@@ -64,7 +63,7 @@ private:
   template <class Lane>
   PERCOLITH_DEVICE std::array<typename Lane::Real, 3> weights(mesh::Index first) const {
     using Real = typename Lane::Real;
-    if (saturated) {
+    if (!weighted) {
       return {Real(1.0), Real(1.0), Real(1.0)};
     }
     const std::array<Real, 3> s{Lane::load(saturation + first),
