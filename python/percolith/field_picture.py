@@ -90,7 +90,7 @@ def _figure(points: np.ndarray):
     """A figure that suits the shape of the model, with its axes; wide models get the bar below."""
     width, height = np.ptp(points, axis=0)
     is_wide = width > 2.2 * height
-    size = (8.0, 8.0 * height / width + 1.9) if is_wide else (
+    size = (8.0, 8.0 * height / width + 1.75) if is_wide else (
         6.4 * min(1.0, 1.25 * width / height) + 1.4, 6.4 * min(height / width, 1.25) + 0.6)
     figure, axes = plt.subplots(figsize=size, layout="constrained")
     axes.set_aspect("equal")

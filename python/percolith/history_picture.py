@@ -15,13 +15,14 @@ from percolith.units import Scale, power_scale, pressure_scale, time_scale
 def _draw_curves(axes, history: Table, time: Scale, curves: dict[str, str], scale: Scale,
                  quantity: str) -> None:
     moments = history["time_s"] / time.factor
+    marker = "." if len(history) <= 100 else ""
     colours = plt.cm.viridis(np.linspace(0.0, 0.85, max(len(curves), 2)))
     styles = ["-", "--", "-.", ":"]
     for i, (column, label) in enumerate(curves.items()):
         axes.plot(moments, history[column] / scale.factor, label=label, color=colours[i],
-                  linestyle=styles[i % 4], marker=".")
+                  linestyle=styles[i % 4], marker=marker)
     axes.set_ylabel(scale.label(quantity))
-    axes.legend(fontsize="small", frameon=False)
+    axes.legend(fontsize="small", framealpha=0.8, edgecolor="none")
 
 
 def _rates(history: Table) -> dict[str, str]:

@@ -21,8 +21,8 @@ from percolith.vtu import VtuError
 def _arguments(words: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="percolith plot",
-        description="Draws a run: the fields (pressure.png, ...), the probes (probes.png) and "
-        "the history (history.png), written into the run directory.",
+        description="Draws a run: the fields (pressure.png, ...), the probes (probes.png) and, "
+        "unless it is steady, the history (history.png), written into the run directory.",
     )
     parser.add_argument("directory", metavar="DIR", help="the run directory")
     parser.add_argument("--field", choices=FIELDS, default="pressure", help="what to draw")
@@ -67,7 +67,8 @@ def draw(run: RunDirectory, field: str = "pressure", time: float | str = "last",
     if output is None:
         if run.probe_names:
             paths.append(draw_probes(run, field, run.path / "probes.png"))
-        paths.append(draw_history(run, run.path / "history.png"))
+        if not run.is_steady:
+            paths.append(draw_history(run, run.path / "history.png"))
     return paths
 
 

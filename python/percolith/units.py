@@ -37,9 +37,11 @@ def pressure_scale(values) -> Scale:
 
 
 def time_scale(values) -> Scale:
-    """us to days, by the largest value, so that it is at least 1."""
+    """Microseconds to days, by the largest value: 0.2 s, but 20 ms."""
     size = float(np.max(np.abs(values), initial=0.0))
-    return _largest_below(_TIME, size) if size > 0 else Scale(1.0, "s")
+    if size == 0 or 0.1 <= size < 60:
+        return Scale(1.0, "s")
+    return _largest_below(_TIME, size)
 
 
 def power_scale(values, unit: str) -> Scale:

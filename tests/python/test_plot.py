@@ -60,6 +60,13 @@ def test_head_of_a_steady_run(run_example, tmp_path):
     assert colours(output) > 50
 
 
+def test_a_steady_run_has_no_history_to_draw(run_example, capsys):
+    directory = run_example("radial").results.path
+    assert plot.main([str(directory)]) == 0
+    names = [line.rsplit("/", 1)[1] for line in capsys.readouterr().out.split()]
+    assert names == ["pressure.png", "probes.png"]
+
+
 def test_directory_without_results(tmp_path, capsys):
     assert plot.main([str(tmp_path)]) == 2
     message = capsys.readouterr().err
@@ -83,6 +90,8 @@ def test_scales():
     assert pressure_scale([0.0]).unit == "Pa"
     assert time_scale([10800.0]).label("Time") == "Time (h)"
     assert format_time(0.02) == "20 ms"
+    assert format_time(0.2) == "0.2 s"
     assert format_time(36) == "36 s"
+    assert format_time(36, time_scale([10800.0])) == "0.01 h"
     assert power_scale([3e-6], "m/s").factor == pytest.approx(1e-6)
     assert power_scale([120.0], "m").label("Head") == "Head (m)"
