@@ -68,7 +68,8 @@ void number_nodes(const Model& model, FlowGraph& graph) {
   };
   graph.node_of_corner.assign(at(mesh.corners()), mesh::none);
   graph.node_of_vertex.assign(at(mesh.vertices()), mesh::none);
-  std::vector<std::pair<Index, Index>> member;
+  std::vector<std::pair<Index, Index>> member;  // node, corner or crack vertex
+  member.reserve(at(mesh.vertices()));
   for (Index v = 0; v < mesh.vertices(); ++v) {
     for (const Index c : mesh.vertex_corners.row(v)) {
       if (model.pore_nodes.leader(c) == c) {
@@ -81,7 +82,10 @@ void number_nodes(const Model& model, FlowGraph& graph) {
       member.emplace_back(graph.node_of_vertex[at(v)], -1 - v);
     }
   }
-  std::sort(member.begin(), member.end());
+  // Only shared pressures disturb the order in which the nodes were met.
+  if (!std::is_sorted(member.begin(), member.end())) {
+    std::sort(member.begin(), member.end());
+  }
   graph.members.start.assign(at(count) + 1, 0);
   graph.members.entry.reserve(member.size());
   for (const auto& [node, item] : member) {

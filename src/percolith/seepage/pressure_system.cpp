@@ -2,7 +2,7 @@
 #include "percolith/seepage/pressure_system.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 namespace percolith::seepage {
 namespace {
@@ -11,47 +11,50 @@ std::size_t at(Index i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Pattern of the lower triangle: the diagonal, then for every column the distinct rows below it.
-void make_pattern(const FlowGraph& graph, const std::vector<Index>& node,
-                  const std::vector<Index>& unknown, SymmetricMatrix& matrix) {
-  const auto unknowns = node.size();
-  matrix.column_start.assign(unknowns + 1, 0);
-  matrix.row.clear();
-  matrix.row.reserve(unknowns + graph.from.size());
-  std::vector<Index> rows;
-  for (std::size_t column = 0; column < unknowns; ++column) {
-    rows.assign(1, static_cast<Index>(column));
-    for (const Index entry : graph.incidence.row(node[column])) {
-      const auto edge = at(entry / 2);
-      const Index other = entry % 2 == 0 ? graph.to[edge] : graph.from[edge];
-      if (unknown[at(other)] > static_cast<Index>(column)) {
-        rows.push_back(unknown[at(other)]);
-      }
-    }
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    matrix.row.insert(matrix.row.end(), rows.begin(), rows.end());
-    matrix.column_start[column + 1] = static_cast<Index>(matrix.row.size());
+/// Inserts a number into a short ascending list that does not hold it yet.
+void insert_once(std::vector<Index>& list, Index number) {
+  auto place = list.end();
+  while (place != list.begin() && *(place - 1) > number) {
+    --place;
   }
-  matrix.value.assign(matrix.row.size(), 0.0);
+  if (place == list.begin() || *(place - 1) != number) {
+    list.insert(place, number);
+  }
 }
 
-/// Where the off-diagonal term of every edge stands among the values.
-std::vector<Index> edge_slots(const FlowGraph& graph, const std::vector<Index>& unknown,
-                              const SymmetricMatrix& matrix) {
+/// Pattern of the lower triangle: the diagonal, then for every column the distinct rows below it.
+/// Returns where the off-diagonal term of every edge stands among the values, `none` where it has
+/// no such term.
+std::vector<Index> make_pattern(const FlowGraph& graph, const std::vector<Index>& node,
+                                const std::vector<Index>& unknown, SymmetricMatrix& matrix) {
   std::vector<Index> slot(graph.from.size(), mesh::none);
-  for (std::size_t e = 0; e < slot.size(); ++e) {
-    const Index a = unknown[at(graph.from[e])];
-    const Index b = unknown[at(graph.to[e])];
-    if (a == mesh::none || b == mesh::none || a == b) {
-      continue;
+  matrix.column_start.assign(node.size() + 1, 0);
+  matrix.row.clear();
+  matrix.row.reserve(node.size() + graph.from.size());
+  std::vector<Index> rows;
+  std::vector<std::pair<Index, Index>> below;  // edge, row
+  for (std::size_t c = 0; c < node.size(); ++c) {
+    const auto column = static_cast<Index>(c);
+    rows.assign(1, column);
+    below.clear();
+    for (const Index entry : graph.incidence.row(node[c])) {
+      const Index edge = entry / 2;
+      const Index other = unknown[at(entry % 2 == 0 ? graph.to[at(edge)] : graph.from[at(edge)])];
+      if (other > column) {
+        below.emplace_back(edge, other);
+        insert_once(rows, other);
+      }
     }
-    const auto column = at(std::min(a, b));
-    const auto first = matrix.row.begin() + matrix.column_start[column];
-    const auto last = matrix.row.begin() + matrix.column_start[column + 1];
-    // Columns are short: a linear search beats bisection.
-    slot[e] = static_cast<Index>(std::find(first, last, std::max(a, b)) - matrix.row.begin());
+    const auto start = static_cast<Index>(matrix.row.size());
+    for (const auto& [edge, row] : below) {
+      // Columns are short: a linear search beats bisection.
+      slot[at(edge)] =
+          start + static_cast<Index>(std::find(rows.begin(), rows.end(), row) - rows.begin());
+    }
+    matrix.row.insert(matrix.row.end(), rows.begin(), rows.end());
+    matrix.column_start[c + 1] = static_cast<Index>(matrix.row.size());
   }
+  matrix.value.assign(matrix.row.size(), 0.0);
   return slot;
 }
 
@@ -66,15 +69,14 @@ PressureSystem::PressureSystem(const FlowGraph& graph, std::span<const std::uint
       node_.push_back(n);
     }
   }
-  make_pattern(graph, node_, unknown_, matrix_);
-  slot_ = edge_slots(graph, unknown_, matrix_);
+  slot_ = make_pattern(graph, node_, unknown_, matrix_);
   right_hand_side_.resize(node_.size());
   solver_ = make_solver(matrix_.unknowns());
 }
 
-bool PressureSystem::assemble(const FlowGraph& graph, std::span<const double> conductance,
-                              std::span<const double> storage_rate,
-                              std::span<const std::uint8_t> held) {
+void PressureSystem::fill(const FlowGraph& graph, std::span<const double> conductance,
+                          std::span<const double> storage_rate,
+                          std::span<const std::uint8_t> held) {
   std::copy(held.begin(), held.end(), held_.begin());
   std::fill(matrix_.value.begin(), matrix_.value.end(), 0.0);
   const auto diagonal = [&](Index node) -> double& {
@@ -99,6 +101,12 @@ bool PressureSystem::assemble(const FlowGraph& graph, std::span<const double> co
       matrix_.value[at(slot_[at(e)])] -= conductance[at(e)];
     }
   }
+}
+
+bool PressureSystem::assemble(const FlowGraph& graph, std::span<const double> conductance,
+                              std::span<const double> storage_rate,
+                              std::span<const std::uint8_t> held) {
+  fill(graph, conductance, storage_rate, held);
   return node_.empty() || solver_->factorize(matrix_);
 }
 

@@ -26,8 +26,11 @@ public:
     return unknown_[static_cast<std::size_t>(node)] != mesh::none;
   }
 
-  /// Fills in the matrix and factorises it. `conductance` per edge (m2/(Pa s)); `storage_rate` per
+  /// Fills in the matrix. `conductance` per edge (m2/(Pa s)); `storage_rate` per
   /// node (m2/(Pa s)); nodes with `held` set keep their pressure this time.
+  void fill(const FlowGraph& graph, std::span<const double> conductance,
+            std::span<const double> storage_rate, std::span<const std::uint8_t> held);
+  /// Fills in the matrix and prepares the solver; false when it is not positive definite.
   [[nodiscard]] bool assemble(const FlowGraph& graph, std::span<const double> conductance,
                               std::span<const double> storage_rate,
                               std::span<const std::uint8_t> held);
