@@ -136,7 +136,7 @@ public:
   void operator()(Struct& member, const Table& option) {
     Json inner = table_of(member);
     const Need need = inner.contains("required") ? Need::required : Need::optional;
-    put(option.name, need, option.help, std::move(inner), nullptr);
+    put(option.name, need, option.help, inner, nullptr);
   }
   template <class Struct>
   void operator()(std::map<std::string, Struct>& /*member*/, const NamedTables& option) {
@@ -164,10 +164,11 @@ private:
     if (!option.absent.empty()) {
       help += fmt::format(" When absent: {}.", option.absent);
     }
-    put(option.name, option.need, help, std::move(schema), std::move(initial));
+    put(option.name, option.need, help, schema, std::move(initial));
   }
 
-  void put(std::string_view name, Need need, std::string_view help, Json schema, Json initial) {
+  void put(std::string_view name, Need need, std::string_view help, const Json& schema,
+           Json initial) {
     Json property{{"description", help}};
     property.update(schema);
     if (need == Need::required) {
