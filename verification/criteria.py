@@ -72,7 +72,11 @@ def evaluate(example: str, result: Result) -> list[tuple[str, float, float]]:
               expected["balance"])]
     if "wall_time" in expected:
         found.append(("wall time, s", result.wall_time, expected["wall_time"]))
-    for criterion in expected["profile"]:
+    for criterion in expected.get("rate", []):
+        rates = result.results.summary["rate_m2_per_s"]
+        rate = sum(rates[condition] for condition in criterion["conditions"])
+        found.append((criterion["name"], abs(rate / criterion["expected"] - 1), criterion["limit"]))
+    for criterion in expected.get("profile", []):
         values = profile(criterion, result.results, example)
         value = measure(criterion["measure"], values, criterion.get("scale", 1.0))
         found.append((criterion["name"], value, criterion["limit"]))
