@@ -40,22 +40,23 @@ def expected_profiles(name: str) -> list[dict]:
 
 
 def compare_figure(curves: list[tuple[str, np.ndarray, np.ndarray, np.ndarray]], xlabel: str,
-                   ylabel: str, scale: float = 1.0, marks: int = 40):
+                   ylabel: str, scale: float = 1.0, marks: int = 40, style: str = "-"):
     """Left: computed curves with the reference as circles; right: computed minus reference.
-    `curves` holds (label, position, computed, reference) in SI, divided by `scale`."""
+    `curves` holds (label, position, computed, reference) in SI, divided by `scale`; `style` is
+    the style of the lines."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.2), layout="constrained")
     colours = plt.cm.viridis(np.linspace(0, 0.85, len(curves)))
     for (label, x, computed, reference), colour in zip(curves, colours):
-        left.plot(x, computed / scale, color=colour, label=label)
+        left.plot(x, computed / scale, style, color=colour, label=label)
         every = max(1, len(x) // marks)
         left.plot(x[::every], reference[::every] / scale, "o", markersize=4, color=colour,
                   markerfacecolor="none")
-        right.plot(x, (computed - reference) / scale, color=colour, label=label)
+        right.plot(x, (computed - reference) / scale, style, color=colour, label=label)
     left.plot([], [], "o", color="black", markerfacecolor="none", markersize=4, label="reference")
-    left.set_ylabel(ylabel)
-    right.set_ylabel(f"Computed minus reference, {ylabel}")
+    right.set_title("Computed minus reference", fontsize=10)
     for axes in (left, right):
         axes.set_xlabel(xlabel)
+        axes.set_ylabel(ylabel)
         axes.grid(alpha=0.3)
     left.legend(fontsize="small", frameon=False)
     return figure

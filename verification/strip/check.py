@@ -48,24 +48,28 @@ def error_curve(work: Path, label: str, **variant) -> np.ndarray:
     return np.array(errors)
 
 
-def study(chapter: Chapter, work: Path, name: str, title: str, variants: dict[str, dict]) -> None:
-    """One figure of error over n, with the reference for the same element size."""
+def study(chapter: Chapter, work: Path, name: str, title: str, label_of: str,
+          variants: dict[str, dict]) -> None:
+    """One figure of error over n, with the reference for the same element size. `variants` maps
+    the value that varies to the arguments of a run, `label_of` is its label with {} for the
+    value."""
     reference = read_table(REFERENCE)
     figure, axes = plt.subplots(figsize=(7, 4.6), layout="constrained")
     colours = plt.cm.viridis(np.linspace(0, 0.85, len(variants)))
-    for (label, variant), colour, mark in zip(variants.items(), colours, "osd"):
-        errors = error_curve(work, f"{name}_{label}".replace(" ", "_"), **variant)
+    for (value, variant), colour, mark in zip(variants.items(), colours, "osd"):
+        key, label = f"{name}.{value}", label_of.format(value)
+        errors = error_curve(work, key, **variant)
         axes.loglog(FACTORS, errors, color=colour, marker=mark, label=label, markerfacecolor="none")
         size = float("0." + variant.get("mesh", "strip_05.msh")[6:8])
         rows = reference.where(np.isclose(reference["Le_m"], size) & (reference["n"] <= 200))
         axes.loglog(rows["n"], rows["RE_t0.02s"], color=colour, linestyle=":")
         expected = np.interp(np.log(FACTORS), np.log(rows["n"]), np.log(rows["RE_t0.02s"]))
-        chapter.at_most(f"{name}.{label}.level", f"{title}, {label}: error at n = 100",
+        chapter.at_most(f"{key}.level", f"{title}, {label}: error at n = 100",
                         errors[FACTORS.index(100)], 0.01)
         slope = observed_order(FACTORS[3:7], errors[3:7])
-        chapter.at_most(f"{name}.{label}.slope", f"{title}, {label}: slope from n = 10 to 100, "
+        chapter.at_most(f"{key}.slope", f"{title}, {label}: slope from n = 10 to 100, "
                         "difference from -1", abs(slope + 1), 0.1)
-        chapter.at_most(f"{name}.{label}.reference", f"{title}, {label}: largest ratio to the "
+        chapter.at_most(f"{key}.reference", f"{title}, {label}: largest ratio to the "
                         "reference (other mesh) for n up to 100",
                         np.exp(abs(np.log(errors) - expected)[:7].max()), 1.35)
     axes.plot([], [], "k:", label="reference, other mesh")
@@ -88,7 +92,7 @@ def shapes(chapter: Chapter, work: Path) -> None:
         order = np.argsort(grid.points[:, 0], kind="stable")
         curves.append((f"{shape} triangles", grid.points[order, 0],
                        grid.point_data["pressure_Pa"][order], exact[order]))
-    chapter.add_figure(compare_figure(curves, "x (m)", "Pressure (kPa)", 1e3),
+    chapter.add_figure(compare_figure(curves, "x (m)", "Pressure (kPa)", 1e3, style="."),
                        "Three element shapes at 0.02 s, all nodes; circles: analytic")
 
 
@@ -122,11 +126,11 @@ def check(chapter: Chapter, work: Path) -> None:
                        formulas.strip(rows["x_m"], time)))
     chapter.add_figure(compare_figure(curves, "x (m)", "Pressure (kPa)", 1e3),
                        "Pressure on the centre line, tied nodes, 0.05 m; circles: analytic")
-    study(chapter, work, "permeability", "three permeabilities",
-          {f"k = {k:g} m2": {"k": k} for k in (2e-13, 2e-12, 2e-11)})
-    study(chapter, work, "viscosity", "three viscosities",
-          {f"mu = {mu:g} Pa s": {"mu": mu} for mu in (1e-2, 1e-3, 1e-4)})
-    study(chapter, work, "size", "three element sizes",
-          {f"{s} m": {"mesh": f"strip_{s[2:]}.msh"} for s in ("0.05", "0.03", "0.01")})
+    study(chapter, work, "permeability", "three permeabilities", "k = {} m²",
+          {f"{k:g}": {"k": k} for k in (2e-13, 2e-12, 2e-11)})
+    study(chapter, work, "viscosity", "three viscosities", "µ = {} Pa s",
+          {f"{mu:g}": {"mu": mu} for mu in (1e-2, 1e-3, 1e-4)})
+    study(chapter, work, "size", "three element sizes", "{} m",
+          {size: {"mesh": f"strip_{size[2:]}.msh"} for size in ("0.05", "0.03", "0.01")})
     shapes(chapter, work)
     tied(chapter, work)
