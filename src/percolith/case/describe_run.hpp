@@ -46,7 +46,8 @@ void describe(V& option, simulation::Output& m) {
   option(m.fields, Flag{"fields", "Whether the field series is written."});
   option(m.history_interval,
          Quantity{"history_interval", "s", positive, Need::optional,
-                  "Time between two rows of the history.", "a row at every output"});
+                  "Time between two rows of the history.",
+                  "a row at every implicit step, or at every thousandth of an explicit run"});
 }
 
 template <class V>

@@ -26,13 +26,15 @@ int run(const RunOptions& options) {
   const io::RunDirectory directory = io::RunDirectory::open(path, existing);
   interruption.begin();
   RunRecorder recorder(directory, options, model);
+  bool finished = false;
   try {
-    model.simulation.run(recorder.observer(), [&] { return interruption.signal() != 0; });
+    finished =
+        model.simulation.run(recorder.observer(), [&] { return interruption.signal() != 0; });
   } catch (const std::exception& error) {
     recorder.fail(error.what());
     throw;
   }
-  if (interruption.signal() != 0) {
+  if (!finished) {
     recorder.interrupt(interruption.signal());
     return 128 + interruption.signal();
   }

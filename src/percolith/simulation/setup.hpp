@@ -111,7 +111,8 @@ struct Output {
   std::vector<double> times;               ///< s
   std::optional<double> interval;          ///< s
   bool fields = true;                      ///< write the field series
-  std::optional<double> history_interval;  ///< s between rows of history; absent: a row a frame
+  std::optional<double> history_interval;  ///< s between rows of history; absent: every
+                                           ///< implicit step, a thousandth of the explicit run
   friend bool operator==(const Output&, const Output&) = default;
 };
 

@@ -44,7 +44,7 @@ CheckReport Simulation::check() const {
   return make_check_report(model_->setup, model_->run.model);
 }
 
-void Simulation::run(Observer& observer, const std::function<bool()>& stop) {
+bool Simulation::run(Observer& observer, const std::function<bool()>& stop) {
   for (const std::string& warning : model_->run.summary.warnings) {
     observer.on_warning(warning);
   }
@@ -59,6 +59,8 @@ void Simulation::run(Observer& observer, const std::function<bool()>& stop) {
     run_explicit(model_->setup, model_->run, observer, stop);
     break;
   }
+  return model_->setup.time.scheme == Scheme::steady ||
+         model_->run.model.state.time >= model_->setup.time.end;
 }
 
 Summary Simulation::summary() const {

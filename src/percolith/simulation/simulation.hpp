@@ -23,10 +23,10 @@ public:
   /// Counts, mesh quality, stability limits and warnings of the model as built.
   [[nodiscard]] CheckReport check() const;
 
-  /// Runs to the end and reports to `observer`. Stops after the current step when `stop` returns
-  /// true, with a last frame and history row. Throws SolverError when it cannot go on; what was
+  /// Runs to the end and reports to `observer`; true when the end was reached. Stops after the
+  /// current step when `stop` returns true, with a last frame and history row. Throws SolverError when it cannot go on; what was
   /// reported before remains valid.
-  void run(Observer& observer, const std::function<bool()>& stop);
+  bool run(Observer& observer, const std::function<bool()>& stop);
 
   [[nodiscard]] Summary summary() const;
   /// Names that `MatrixFrame::region` and `CrackFrame::group` index.
