@@ -35,10 +35,11 @@ def _formula(name: str, rows: Table, time: float) -> np.ndarray:
 
 
 def profile(criterion: dict, run: RunDirectory, example: str) -> Profile:
-    """The values that a criterion compares."""
-    rows = run.probe(criterion["probe"]).at_time(criterion.get("time"))
-    if "time" in criterion and abs(rows["time_s"][0] - criterion["time"]) > 1e-9 * criterion["time"]:
-        raise ValueError(f"{run.path}: probe {criterion['probe']} has no time {criterion['time']} s")
+    """The values that a criterion compares. Raises ValueError where its time was not output."""
+    time = criterion.get("time")
+    rows = run.probe(criterion["probe"]).at_time(time)
+    if time is not None and abs(rows["time_s"][0] - time) > 1e-9 * time:
+        raise ValueError(f"{run.path}: probe {criterion['probe']} was not output at {time} s")
     for column, (low, high) in criterion.get("where", {}).items():
         rows = rows.where((rows[column] >= low) & (rows[column] <= high))
     axis = criterion.get("position", "x_m")

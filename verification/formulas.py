@@ -17,7 +17,8 @@ def strip(x, time: float, left: float = 1e5, kappa: float = 4.4, terms: int = 20
     return left * (1 - np.atleast_1d(x)) - 2 / np.pi * left * series
 
 
-def radial(radius, well: float = 1e7, outer: float = 1e6, r_well: float = 0.1, r_outer: float = 1.0):
+def radial(radius, well: float = 1e7, outer: float = 1e6, r_well: float = 0.1,
+           r_outer: float = 1.0):
     """Steady pressure between two circles, (43)."""
     return well + (outer - well) * np.log(np.asarray(radius) / r_well) / np.log(r_outer / r_well)
 

@@ -67,8 +67,8 @@ def draw_probes(run: RunDirectory, field: str, path: Path) -> Path:
     names = run.probe_names
     columns = 1 if len(names) == 1 else 2
     rows = -(-len(names) // columns)
-    figure, grid = plt.subplots(rows, columns, figsize=(7 if columns == 1 else 11, 3.6 * rows + 0.4),
-                                layout="constrained", squeeze=False)
+    size = (7 if columns == 1 else 11, 3.6 * rows + 0.4)
+    figure, grid = plt.subplots(rows, columns, figsize=size, layout="constrained", squeeze=False)
     for axes, name in zip(grid.flat, names):
         table = run.probe(name)
         column = _column(table, field)

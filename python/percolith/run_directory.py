@@ -137,7 +137,8 @@ class RunDirectory:
             raise RunDirectoryError(f"{self.path}: no frames; the case sets output.fields = false")
         chosen = self.times[-1] if time is None else min(self.times, key=lambda t: abs(t - time))
         cracks = self._crack_files.get(chosen)
-        return Frame(chosen, read_vtu(self._matrix_files[chosen]), read_vtu(cracks) if cracks else None)
+        matrix = read_vtu(self._matrix_files[chosen])
+        return Frame(chosen, matrix, read_vtu(cracks) if cracks else None)
 
     def _file(self, name: str) -> Path:
         path = self.path / name

@@ -130,6 +130,20 @@ def test_steady(tmp_path, upright, joints):
     assert_fluxes_equal(flow, run, pressure)
 
 
+def test_injection_where_the_fractures_cross(tmp_path):
+    """A rate into the crack node at the crossing and one into the rock at a corner."""
+    sources = ('[source.crossing]\npoint = [0.5, 0.5]\ninto = "crack"\nrate = 3e-6\n'
+               '[source.corner]\npoint = [1.0, 1.0]\nrate = 2e-7\n')
+    flow, run = build(tmp_path, upright="finite", joints=None, gravity=0.0,
+                      conditions=LEFT + sources, time='scheme = "steady"')
+    fix(flow, "left", 2e5)
+    corner, crossing = (int(np.linalg.norm(flow.mesh.points - place, axis=1).argmin())
+                        for place in ([1.0, 1.0], [0.5, 0.5]))
+    flow.rate = {flow.of_crack[crossing]: 3e-6,
+                 int(flow.of_corner[list(flow.mesh.triangles.ravel()).index(corner)]): 2e-7}
+    assert_equal(flow, run, flow.steady())
+
+
 def assert_fluxes_equal(flow: Flow, run, pressure) -> None:
     """Darcy flux of every triangle and flux along every segment of the cracks agree."""
     mesh, frame = flow.mesh, run.frame()

@@ -105,7 +105,8 @@ def write_msh(mesh: Triangulation, path: Path) -> None:
     """Writes the mesh as Gmsh 2.2 ASCII: one region `rock`, the curves by their names."""
     names = list(mesh.curves)
     lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", str(len(names) + 1)]
-    lines += [f'1 {i + 1} "{name}"' for i, name in enumerate(names)] + [f'2 {len(names) + 1} "rock"']
+    lines += [f'1 {i + 1} "{name}"' for i, name in enumerate(names)]
+    lines += [f'2 {len(names) + 1} "rock"']
     lines += ["$EndPhysicalNames", "$Nodes", str(len(mesh.points))]
     lines += [f"{i + 1} {x!r} {y!r} 0" for i, (x, y) in enumerate(mesh.points.tolist())]
     elements = [(1, i + 1, edge) for i, name in enumerate(names) for edge in mesh.curves[name]]

@@ -27,7 +27,8 @@ def curves_of(result):
 def add_rows(chapter: Chapter, name: str, title: str, result, rms: float, largest: float) -> None:
     for label, _, computed, expected in curves_of(result):
         error = (computed - expected) / 1e6
-        chapter.at_most(f"{name}.rms.{label[:-2]}", f"{title}, {label}: root mean square error, MPa",
+        chapter.at_most(f"{name}.rms.{label[:-2]}", f"{title}, {label}: root mean square "
+                        "error, MPa",
                         np.sqrt(np.mean(error**2)), rms)
         chapter.at_most(f"{name}.max.{label[:-2]}", f"{title}, {label}: largest error, MPa",
                         abs(error).max(), largest)
