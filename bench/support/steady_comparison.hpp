@@ -11,10 +11,10 @@
 
 namespace percolith::bench {
 
-/// Solves a system with a matrix and a right-hand side, both already there, from nothing: all the
-/// solver's preparations count.
-using BareSolver = void (*)(const seepage::SymmetricMatrix& matrix,
-                            std::span<double> right_hand_side);
+/// Solves a system from nothing and returns the processor time it took, s, without what it takes
+/// to bring the matrix into the form the solver reads.
+using BareSolver = double (*)(const seepage::SymmetricMatrix& matrix,
+                              std::span<double> right_hand_side);
 
 /// Compares `solve_steady` on a case - graph, assembly, solution, refinement, contents - with a
 /// bare solver on the very same matrix and right-hand side: both in turn, `rounds` times, the best

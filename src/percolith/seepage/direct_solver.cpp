@@ -3,6 +3,9 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <cmath>
+#include <numeric>
+
 namespace percolith::seepage {
 namespace {
 
@@ -22,7 +25,7 @@ public:
     return factor_.info() == Eigen::Success && (factor_.vectorD().array() > 0.0).all();
   }
 
-  bool solve(std::span<double> right_hand_side) override {
+  bool solve(std::span<double> right_hand_side, double /*residual*/) override {
     Eigen::Map<Eigen::VectorXd> b(right_hand_side.data(),
                                   static_cast<Eigen::Index>(right_hand_side.size()));
     b = factor_.solve(b).eval();
@@ -40,6 +43,10 @@ private:
 
 std::unique_ptr<LinearSolver> make_direct_solver() {
   return std::make_unique<DirectSolver>();
+}
+
+double norm(std::span<const double> vector) {
+  return std::sqrt(std::inner_product(vector.begin(), vector.end(), vector.begin(), 0.0));
 }
 
 std::unique_ptr<LinearSolver> make_solver(Index unknowns) {

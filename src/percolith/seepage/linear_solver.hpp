@@ -28,8 +28,10 @@ public:
   /// Prepares to solve with the present values of `matrix`, which must outlive the next solve;
   /// false when it is not positive definite. The pattern may change only after `reset`.
   [[nodiscard]] virtual bool factorize(const SymmetricMatrix& matrix) = 0;
-  /// Overwrites the right-hand side by the solution; false when no solution was found.
-  [[nodiscard]] virtual bool solve(std::span<double> right_hand_side) = 0;
+  /// Overwrites the right-hand side by the solution; false when no solution was found. An iteration
+  /// stops when the 2-norm of its residual is below `residual`; a factorisation does not look at
+  /// it.
+  [[nodiscard]] virtual bool solve(std::span<double> right_hand_side, double residual) = 0;
   /// Forgets the pattern.
   virtual void reset() = 0;
 };
@@ -41,6 +43,9 @@ public:
 /// Conjugate gradients with algebraic multigrid (hypre's BoomerAMG), for systems too large to
 /// factorise; null when the program was built without hypre.
 [[nodiscard]] std::unique_ptr<LinearSolver> make_multigrid_solver();
+
+/// 2-norm of a vector.
+[[nodiscard]] double norm(std::span<const double> vector);
 
 /// The solver of choice for a number of unknowns.
 [[nodiscard]] std::unique_ptr<LinearSolver> make_solver(Index unknowns);

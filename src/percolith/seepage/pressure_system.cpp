@@ -2,7 +2,8 @@
 #include "percolith/seepage/pressure_system.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <cstdint>
+#include <numeric>
 
 namespace percolith::seepage {
 namespace {
@@ -11,47 +12,70 @@ std::size_t at(Index i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Inserts a number into a short ascending list that does not hold it yet.
-void insert_once(std::vector<Index>& list, Index number) {
-  auto place = list.end();
-  while (place != list.begin() && *(place - 1) > number) {
-    --place;
-  }
-  if (place == list.begin() || *(place - 1) != number) {
-    list.insert(place, number);
-  }
+// By how much an iterative solver reduces the residual before the refinement, and in the end
+// (docs/decisions/refinement.md).
+constexpr double first_reduction = 1e-6;
+constexpr double whole_reduction = 1e-13;
+
+/// The off-diagonal terms of the edges, by column: row and edge number in one word, so that one
+/// comparison orders them by row.
+struct Terms {
+  std::vector<Index> start;  // columns + 1
+  std::vector<std::uint64_t> term;
+};
+
+Index row_of(std::uint64_t term) {
+  return static_cast<Index>(term >> 32U);
+}
+
+Index edge_of(std::uint64_t term) {
+  return static_cast<Index>(term & 0xffffffffU);
+}
+
+Terms terms_by_column(const FlowGraph& graph, const std::vector<Index>& unknown,
+                      std::size_t columns) {
+  Terms terms;
+  terms.start.assign(columns + 1, 0);
+  const auto visit = [&](const auto& add) {
+    for (std::size_t e = 0; e < graph.from.size(); ++e) {
+      const Index a = unknown[at(graph.from[e])];
+      const Index b = unknown[at(graph.to[e])];
+      if (std::min(a, b) != mesh::none && a != b) {
+        add(at(std::min(a, b)), std::max(a, b), e);
+      }
+    }
+  };
+  visit([&](std::size_t column, Index, std::size_t) { ++terms.start[column + 1]; });
+  std::partial_sum(terms.start.begin(), terms.start.end(), terms.start.begin());
+  terms.term.resize(at(terms.start.back()));
+  std::vector<Index> next(terms.start.begin(), terms.start.end() - 1);
+  visit([&](std::size_t column, Index row, std::size_t edge) {
+    terms.term[at(next[column]++)] = static_cast<std::uint64_t>(row) << 32U | edge;
+  });
+  return terms;
 }
 
 /// Pattern of the lower triangle: the diagonal, then for every column the distinct rows below it.
 /// Returns where the off-diagonal term of every edge stands among the values, `none` where it has
 /// no such term.
-std::vector<Index> make_pattern(const FlowGraph& graph, const std::vector<Index>& node,
-                                const std::vector<Index>& unknown, SymmetricMatrix& matrix) {
+std::vector<Index> make_pattern(const FlowGraph& graph, const std::vector<Index>& unknown,
+                                std::size_t unknowns, SymmetricMatrix& matrix) {
+  Terms terms = terms_by_column(graph, unknown, unknowns);
   std::vector<Index> slot(graph.from.size(), mesh::none);
-  matrix.column_start.assign(node.size() + 1, 0);
+  matrix.column_start.assign(unknowns + 1, 0);
   matrix.row.clear();
-  matrix.row.reserve(node.size() + graph.from.size());
-  std::vector<Index> rows;
-  std::vector<std::pair<Index, Index>> below;  // edge, row
-  for (std::size_t c = 0; c < node.size(); ++c) {
-    const auto column = static_cast<Index>(c);
-    rows.assign(1, column);
-    below.clear();
-    for (const Index entry : graph.incidence.row(node[c])) {
-      const Index edge = entry / 2;
-      const Index other = unknown[at(entry % 2 == 0 ? graph.to[at(edge)] : graph.from[at(edge)])];
-      if (other > column) {
-        below.emplace_back(edge, other);
-        insert_once(rows, other);
+  matrix.row.reserve(unknowns + terms.term.size());
+  for (std::size_t c = 0; c < unknowns; ++c) {
+    const auto first = terms.term.begin() + terms.start[c];
+    const auto last = terms.term.begin() + terms.start[c + 1];
+    std::sort(first, last);
+    matrix.row.push_back(static_cast<Index>(c));
+    for (auto term = first; term != last; ++term) {
+      if (row_of(*term) != matrix.row.back()) {
+        matrix.row.push_back(row_of(*term));
       }
+      slot[at(edge_of(*term))] = static_cast<Index>(matrix.row.size()) - 1;
     }
-    const auto start = static_cast<Index>(matrix.row.size());
-    for (const auto& [edge, row] : below) {
-      // Columns are short: a linear search beats bisection.
-      slot[at(edge)] =
-          start + static_cast<Index>(std::find(rows.begin(), rows.end(), row) - rows.begin());
-    }
-    matrix.row.insert(matrix.row.end(), rows.begin(), rows.end());
     matrix.column_start[c + 1] = static_cast<Index>(matrix.row.size());
   }
   matrix.value.assign(matrix.row.size(), 0.0);
@@ -69,7 +93,7 @@ PressureSystem::PressureSystem(const FlowGraph& graph, std::span<const std::uint
       node_.push_back(n);
     }
   }
-  slot_ = make_pattern(graph, node_, unknown_, matrix_);
+  slot_ = make_pattern(graph, unknown_, node_.size(), matrix_);
   right_hand_side_.resize(node_.size());
   solver_ = make_solver(matrix_.unknowns());
 }
@@ -110,9 +134,11 @@ bool PressureSystem::assemble(const FlowGraph& graph, std::span<const double> co
   return node_.empty() || solver_->factorize(matrix_);
 }
 
-bool PressureSystem::correct(const FlowGraph& graph, std::span<const double> conductance,
-                             std::span<const double> storage_rate, std::span<const double> source,
-                             double reference_pressure, GraphState& state) {
+/// The right-hand side becomes what the present pressures leave open at each node, m2/s.
+void PressureSystem::set_residual(const FlowGraph& graph, std::span<const double> conductance,
+                                  std::span<const double> storage_rate,
+                                  std::span<const double> source, double reference_pressure,
+                                  const GraphState& state) {
   edge_flows(graph, state, conductance, flow_);
   node_inflows(graph, flow_, inflow_);
   for (std::size_t u = 0; u < node_.size(); ++u) {
@@ -121,7 +147,10 @@ bool PressureSystem::correct(const FlowGraph& graph, std::span<const double> con
         storage_rate[n] * ((state.pressure[n] - reference_pressure) + state.change[n]);
     right_hand_side_[u] = held_[n] != 0 ? 0.0 : (source[n] - stored) + inflow_[n];
   }
-  if (!node_.empty() && !solver_->solve(right_hand_side_)) {
+}
+
+bool PressureSystem::correct(double residual, GraphState& state) {
+  if (!node_.empty() && !solver_->solve(right_hand_side_, residual)) {
     return false;
   }
   for (std::size_t u = 0; u < node_.size(); ++u) {
@@ -133,14 +162,20 @@ bool PressureSystem::correct(const FlowGraph& graph, std::span<const double> con
 bool PressureSystem::solve(const FlowGraph& graph, std::span<const double> conductance,
                            std::span<const double> storage_rate, std::span<const double> source,
                            double reference_pressure, GraphState& state) {
-  if (!correct(graph, conductance, storage_rate, source, reference_pressure, state)) {
+  const auto set = [&] {
+    set_residual(graph, conductance, storage_rate, source, reference_pressure, state);
+  };
+  set();
+  const double start = norm(right_hand_side_);
+  if (!correct(first_reduction * start, state)) {
     return false;
   }
   for (std::size_t n = 0; n < state.pressure.size(); ++n) {
     state.pressure[n] += state.change[n];
     state.change[n] = 0.0;
   }
-  return correct(graph, conductance, storage_rate, source, reference_pressure, state);
+  set();
+  return correct(whole_reduction * start, state);
 }
 
 }  // namespace percolith::seepage

@@ -36,16 +36,18 @@ public:
                               std::span<const std::uint8_t> held);
 
   /// Solves for the pressures and refines them once, so that the flows balance to round-off even
-  /// where neighbours differ by the last digits of a large pressure. Uses the matrix of the last
-  /// `assemble`; `source` per node, m2/s.
+  /// where neighbours differ by the last digits of a large pressure. An iterative solver does half
+  /// of its work before and half after. Uses the matrix of the last `assemble`; `source` per node,
+  /// m2/s.
   [[nodiscard]] bool solve(const FlowGraph& graph, std::span<const double> conductance,
                            std::span<const double> storage_rate, std::span<const double> source,
                            double reference_pressure, GraphState& state);
 
 private:
-  [[nodiscard]] bool correct(const FlowGraph& graph, std::span<const double> conductance,
-                             std::span<const double> storage_rate, std::span<const double> source,
-                             double reference_pressure, GraphState& state);
+  void set_residual(const FlowGraph& graph, std::span<const double> conductance,
+                    std::span<const double> storage_rate, std::span<const double> source,
+                    double reference_pressure, const GraphState& state);
+  [[nodiscard]] bool correct(double residual, GraphState& state);
 
   SymmetricMatrix matrix_;
   std::vector<Index> unknown_;         // per node
