@@ -23,14 +23,19 @@ StepControl make_control(const Setup& setup, const seepage::ImplicitFlow& flow) 
     return {std::numeric_limits<double>::infinity(), *time.step, *time.step};
   }
   // Too large a first step is rejected, too small a one doubles at once: the limit of the explicit
-  // scheme in the pores is the scale on which anything happens.
+  // scheme in the pores is the scale on which anything happens. Far below the limit of all
+  // mechanisms together nothing is left to resolve, although the error of the first injection into
+  // rock at one pressure stays the same share of the pressure it causes, however short the step.
+  const std::vector<seepage::FlowLimit> limits = seepage::step_limits(flow.graph());
   double first = time.end;
-  for (const seepage::FlowLimit& limit : seepage::step_limits(flow.graph())) {
+  for (const seepage::FlowLimit& limit : limits) {
     if (limit.mechanism == "pore flow") {
       first = limit.step;
     }
   }
-  return {time.tolerance, time.initial_step.value_or(first), time.maximum_step.value_or(time.end)};
+  const double smallest = limits.empty() ? 0.0 : 1e-3 * limits.back().step;
+  return {time.tolerance, time.initial_step.value_or(first), time.maximum_step.value_or(time.end),
+          smallest};
 }
 
 [[noreturn]] void give_up(const RunState& run, double dt) {
@@ -45,7 +50,8 @@ double make_step(RunState& run, seepage::ImplicitFlow& flow, StepControl& contro
                  double end) {
   while (true) {
     const double dt = step_towards(run.model.state.time, event, control.step());
-    if (dt < smallest_share * end) {
+    // An event close ahead may make a short step; only the step that is asked for means failure.
+    if (control.step() < smallest_share * end) {
       give_up(run, dt);
     }
     const bool solved = flow.attempt(run.model, dt, run.execution);

@@ -10,8 +10,9 @@ bool StepControl::judge(double dt, double error) {
   constexpr double margin = 0.9;
   constexpr double smallest_factor = 0.1;
   const double factor = error > 0.0 ? margin * std::sqrt(tolerance_ / error) : 2.0;
-  if (error > tolerance_) {
-    step_ = dt * std::max(factor, smallest_factor);
+  // A step may exceed the smallest by round-off on its way to an event.
+  if (error > tolerance_ && dt > smallest_ * (1.0 + 1e-6)) {
+    step_ = std::max(dt * std::max(factor, smallest_factor), smallest_);
     return false;
   }
   if (factor >= 2.0) {

@@ -9,9 +9,12 @@ namespace percolith {
 /// its square. Steps grow by doubling only, so that a factorised matrix serves many of them.
 class StepControl {
 public:
-  /// `tolerance` is the error a step may have; `first` and `largest` are steps in s.
-  StepControl(double tolerance, double first, double largest)
-      : tolerance_(tolerance), step_(first < largest ? first : largest), largest_(largest) {}
+  /// `tolerance` is the error a step may have; `first` and `largest` are steps in s. Steps not
+  /// above `smallest` resolve all there is and are good whatever their error, which may be relative
+  /// to a quantity that grows with the step.
+  StepControl(double tolerance, double first, double largest, double smallest = 0.0)
+      : tolerance_(tolerance), step_(first < largest ? first : largest), largest_(largest),
+        smallest_(smallest) {}
 
   /// The step to try next, s.
   [[nodiscard]] double step() const { return step_; }
@@ -25,6 +28,7 @@ private:
   double tolerance_;
   double step_;
   double largest_;
+  double smallest_;
 };
 
 /// Splits the way to an event so that no step is a sliver: the step itself when the event is far,

@@ -65,6 +65,22 @@ TEST(StepControl, AGivenStepComesBackAfterAFailure) {
   EXPECT_EQ(control.step(), 2.0);
 }
 
+TEST(StepControl, TheSmallestStepIsGoodWhateverItsError) {
+  StepControl control(1e-3, 1.0, 10.0, 0.05);
+  double dt = control.step();
+  int rejections = 0;
+  while (!control.judge(dt, 0.5)) {  // an error that does not fall with the step
+    dt = step_towards(0.0, 1e3, control.step());
+    ASSERT_LT(++rejections, 10);
+  }
+  EXPECT_EQ(dt, 0.05);
+  EXPECT_EQ(control.step(), 0.05);
+  // Also when an event stretches it by round-off, and it grows again as soon as the error is small.
+  EXPECT_TRUE(control.judge(0.05 * (1.0 + 1e-9), 0.5));
+  EXPECT_TRUE(control.judge(0.05, 1e-5));
+  EXPECT_EQ(control.step(), 0.1);
+}
+
 TEST(StepTowards, MeetsEventsWithoutSlivers) {
   EXPECT_EQ(step_towards(0.0, 100.0, 1.0), 1.0);
   EXPECT_EQ(step_towards(99.0, 100.0, 1.0), 1.0);
