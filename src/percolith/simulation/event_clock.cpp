@@ -19,7 +19,10 @@ EventClock::EventClock(const Output& output, double end) : times_{end} {
     }
   }
   std::sort(times_.begin(), times_.end());
-  times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
+  // A time from the list and a multiple of the interval may differ by round-off: they are one.
+  const auto coincide = [end](double a, double b) { return b - a < 1e-12 * end; };
+  times_.erase(std::unique(times_.begin(), times_.end(), coincide), times_.end());
+  times_.back() = end;
 }
 
 double EventClock::next_output(double t) const {
