@@ -19,6 +19,14 @@ std::size_t at(Index i) {
   return static_cast<std::size_t>(i);
 }
 
+/// Whether crack and facing pores at a vertex have one pressure by infinite exchange.
+bool shares_pressure(const seepage::Model& model, Index vertex) {
+  const auto joints = model.mesh.vertex_joints.row(vertex);
+  return std::any_of(joints.begin(), joints.end(), [&](Index j) {
+    return model.cracks.is_broken(j) && std::isinf(model.crack.exchange[at(j)]);
+  });
+}
+
 /// The times at which two schedules must agree to agree always; a step function jumps, so just
 /// before a break counts too.
 std::set<double> decisive_times(const Schedule& a, const Schedule& b) {
@@ -73,13 +81,22 @@ void ConditionList::check_cavitation(Index vertex, const NodeCondition& conditio
   }
 }
 
-bool ConditionList::claim_vertex(Owners& owners, Index vertex, const NodeCondition& condition) {
+bool ConditionList::claim_vertex(Owners& owners, const Owners& others, Index vertex,
+                                 const NodeCondition& condition) {
   check_cavitation(vertex, condition);
   const auto [found, is_new] = owners.emplace(vertex, condition);
-  if (is_new) {
-    return true;
+  if (!is_new) {
+    require_agreement(vertex, condition, found->second);
   }
-  const NodeCondition& other = found->second;
+  const auto other = others.find(vertex);
+  if (other != others.end() && shares_pressure(*model_, vertex)) {
+    require_agreement(vertex, condition, other->second);
+  }
+  return is_new;
+}
+
+void ConditionList::require_agreement(Index vertex, const NodeCondition& condition,
+                                      const NodeCondition& other) const {
   const Schedule& mine = conditions_.schedule.back();
   const Schedule& theirs = conditions_.schedule[at(other.schedule)];
   for (const double t : decisive_times(mine, theirs)) {
@@ -99,11 +116,19 @@ bool ConditionList::claim_vertex(Owners& owners, Index vertex, const NodeConditi
                         "both the same value there"});
     }
   }
-  return false;
+}
+
+seepage::Conditions ConditionList::take() {
+  std::erase_if(conditions_.pore.seepage_face, [&](const NodeCondition& c) {
+    return pore_owner_.contains(model_->mesh.vertex_of(c.place));
+  });
+  std::erase_if(conditions_.crack.seepage_face,
+                [&](const NodeCondition& c) { return crack_owner_.contains(c.place); });
+  return std::move(conditions_);
 }
 
 void ConditionList::prescribe_pores(Index vertex, double factor, double offset) {
-  if (claim_vertex(pore_owner_, vertex, present(vertex, factor, offset))) {
+  if (claim_vertex(pore_owner_, crack_owner_, vertex, present(vertex, factor, offset))) {
     for (const Index corner : model_->mesh.vertex_corners.row(vertex)) {
       conditions_.pore.pressure.push_back(present(corner, factor, offset));
     }
@@ -111,20 +136,23 @@ void ConditionList::prescribe_pores(Index vertex, double factor, double offset) 
 }
 
 void ConditionList::prescribe_crack(Index vertex, double factor, double offset) {
-  if (claim_vertex(crack_owner_, vertex, present(vertex, factor, offset))) {
+  if (claim_vertex(crack_owner_, pore_owner_, vertex, present(vertex, factor, offset))) {
     conditions_.crack.pressure.push_back(present(vertex, factor, offset));
   }
 }
 
 void ConditionList::seepage_face_pores(Index vertex) {
-  check_cavitation(vertex, present(vertex, 1.0, 0.0));
-  for (const Index corner : model_->mesh.vertex_corners.row(vertex)) {
-    conditions_.pore.seepage_face.push_back(present(corner, 1.0, 0.0));
+  if (claim_vertex(pore_face_, crack_face_, vertex, present(vertex, 1.0, 0.0))) {
+    for (const Index corner : model_->mesh.vertex_corners.row(vertex)) {
+      conditions_.pore.seepage_face.push_back(present(corner, 1.0, 0.0));
+    }
   }
 }
 
 void ConditionList::seepage_face_crack(Index vertex) {
-  conditions_.crack.seepage_face.push_back(present(vertex, 1.0, 0.0));
+  if (claim_vertex(crack_face_, pore_face_, vertex, present(vertex, 1.0, 0.0))) {
+    conditions_.crack.seepage_face.push_back(present(vertex, 1.0, 0.0));
+  }
 }
 
 void ConditionList::rate_into_corner(Index corner, double factor) {
