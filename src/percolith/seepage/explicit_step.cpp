@@ -161,7 +161,7 @@ void ExplicitStep::advance(Model& model, double dt, Execution& execution) {
   const bool weighted = model.can_empty();
   const auto cracks = static_cast<Index>(crack_flow_.size());
   State& s = model.state;
-  std::fill(model.rate.begin(), model.rate.end(), 0.0);
+  begin_account(model);
   execution.for_each("pore flow", model.mesh.triangles(),
                      PoreFlow{s.pressure.data(), s.saturation.data(), model.pore.conductance.data(),
                               model.pore.lift.data(), inflow_.data(), model.weight, weighted});
@@ -197,11 +197,6 @@ void ExplicitStep::advance_pores(Model& model, double dt, Execution& execution) 
   } else {
     execution.for_each("pore contents", model.mesh.triangles(), CornerContents{views});
   }
-}
-
-void ExplicitStep::book(Model& model, Index condition, double volume, double dt) {
-  model.let_in[at(condition)] += volume;
-  model.rate[at(condition)] += volume / dt;
 }
 
 void ExplicitStep::apply_rates(Model& model, double dt) {

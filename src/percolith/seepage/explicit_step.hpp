@@ -23,7 +23,7 @@ public:
   explicit ExplicitStep(const Model& model);
 
   /// One step of `dt` seconds. The caller keeps dt below the stability limit. Adds what passes the
-  /// conditions to `model.let_in` and sets `model.rate`.
+  /// conditions to the accounts of the model.
   void advance(Model& model, double dt, Execution& execution);
 
   /// To be called when joints have broken since the last step.
@@ -33,7 +33,6 @@ private:
   void advance_pores(Model& model, double dt, Execution& execution);
   void apply_rates(Model& model, double dt);
   void apply_pressures(Model& model, double dt, double t);
-  void book(Model& model, Index condition, double volume, double dt);
 
   std::vector<double> inflow_;         // per corner, m2/s
   JointsAcross across_;                // of finite joints; empty when all are tied

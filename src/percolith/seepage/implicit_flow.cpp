@@ -175,10 +175,9 @@ void ImplicitFlow::accept(Model& model) {
     previous_rate_[n] = (content_[n].total() - start_.content[n].total()) / dt_;
   }
   previous_dt_ = dt_;
-  std::fill(model.rate.begin(), model.rate.end(), 0.0);
+  begin_account(model);
   for (const auto& [condition, volume] : booked_) {
-    model.let_in[at(condition)] += volume;
-    model.rate[at(condition)] += volume / dt_;
+    book(model, condition, volume, dt_);
   }
   scatter_contents(model, graph_, content_);
   model.state.time += dt_;

@@ -3,6 +3,7 @@
 
 #include "percolith/seepage/pore.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -133,7 +134,9 @@ Model make_model(mesh::Mesh mesh, const material::Fluid& fluid, double gravity,
               .conditions = {},
               .state = {},
               .let_in = {},
-              .rate = {}};
+              .rate = {},
+              .passed_in = {},
+              .passed_out = {}};
   model.pore = pore_properties(model);
   if (joints == PoreJoints::finite) {
     model.pore.joint = finite_joints(model, joint_factor);
@@ -141,6 +144,24 @@ Model make_model(mesh::Mesh mesh, const material::Fluid& fluid, double gravity,
   model.crack = crack_properties(model);
   model.state = empty_state(model);
   return model;
+}
+
+void begin_account(Model& model) {
+  std::fill(model.rate.begin(), model.rate.end(), 0.0);
+  model.rate_in = 0.0;
+  model.rate_out = 0.0;
+}
+
+void book(Model& model, Index condition, double volume, double dt) {
+  model.let_in[at(condition)] += volume;
+  model.rate[at(condition)] += volume / dt;
+  if (volume >= 0.0) {
+    model.passed_in += volume;
+    model.rate_in += volume / dt;
+  } else {
+    model.passed_out += -volume;
+    model.rate_out -= volume / dt;
+  }
 }
 
 void set_pore_content(Model& model, Index node, CompensatedSum content) {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace percolith::seepage {
@@ -38,12 +39,17 @@ void refuse_suction(const Model& model, const FlowGraph& graph, const GraphState
   }
 }
 
+/// A steady state has rates but lets no volume pass.
+void add_rate(Model& model, Index condition, double rate) {
+  model.rate[at(condition)] += rate;
+  (rate >= 0.0 ? model.rate_in : model.rate_out) += std::abs(rate);
+}
+
 void book_rates(Model& model, const GraphConditions& conditions, const ActiveSet& active,
                 std::span<const double> inflow, std::span<const double> rate) {
-  std::fill(model.rate.begin(), model.rate.end(), 0.0);
+  begin_account(model);
   const auto supply = [&](const GraphCondition& c) {
-    const double needed = -inflow[at(c.node)] - rate[at(c.node)];
-    model.rate[at(c.condition.condition)] += needed;
+    add_rate(model, c.condition.condition, -inflow[at(c.node)] - rate[at(c.node)]);
   };
   for (const GraphCondition& c : conditions.pressure) {
     supply(c);
@@ -54,7 +60,7 @@ void book_rates(Model& model, const GraphConditions& conditions, const ActiveSet
     }
   }
   for (const GraphCondition& c : conditions.rate) {
-    model.rate[at(c.condition.condition)] += model.conditions.value(c.condition, model.state.time);
+    add_rate(model, c.condition.condition, model.conditions.value(c.condition, model.state.time));
   }
 }
 
@@ -139,9 +145,7 @@ SteadyResult solve_steady(Model& model, Execution& execution) {
   }
   refuse_suction(model, graph, state);
   book_rates(model, conditions, active, inflow, rate);
-  for (const double r : model.rate) {
-    result.throughput += std::max(r, 0.0);
-  }
+  result.throughput = model.rate_in;
   std::vector<CompensatedSum> content(state.pressure.size());
   for (std::size_t n = 0; n < content.size(); ++n) {
     content[n].value = graph.storage[n] * (state.pressure[n] - model.reference_pressure());

@@ -17,10 +17,6 @@ std::size_t at(Index i) {
   return static_cast<std::size_t>(i);
 }
 
-void add_signed(MassBalance& balance, double volume) {
-  (volume >= 0.0 ? balance.in : balance.out) += std::abs(volume);
-}
-
 }  // namespace
 
 MassBalance mass_balance(const seepage::Model& model, double in_place_at_start,
@@ -29,10 +25,10 @@ MassBalance mass_balance(const seepage::Model& model, double in_place_at_start,
   balance.in_place = seepage::fluid_in_place(model, execution);
   balance.stored = balance.in_place - in_place_at_start;
   for (std::size_t i = 0; i < model.let_in.size(); ++i) {
-    const double volume = model.let_in[i].total();
-    balance.by_condition[model.conditions.name[i]] = volume;
-    add_signed(balance, volume);
+    balance.by_condition[model.conditions.name[i]] = model.let_in[i].total();
   }
+  balance.in = model.passed_in.total();
+  balance.out = model.passed_out.total();
   balance.error = balance.in - balance.out - balance.stored;
   const double scale = balance.in_place + balance.in + balance.out;
   balance.relative_error = scale > 0.0 ? std::abs(balance.error) / scale : 0.0;
@@ -44,8 +40,9 @@ MassBalance steady_balance(const seepage::Model& model, const Execution& executi
   balance.in_place = seepage::fluid_in_place(model, execution);
   for (std::size_t i = 0; i < model.rate.size(); ++i) {
     balance.by_condition[model.conditions.name[i]] = model.rate[i];
-    add_signed(balance, model.rate[i]);
   }
+  balance.in = model.rate_in;
+  balance.out = model.rate_out;
   balance.error = balance.in - balance.out;
   balance.relative_error = balance.in > 0.0 ? std::abs(balance.error) / balance.in : 0.0;
   return balance;
