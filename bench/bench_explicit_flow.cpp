@@ -111,7 +111,7 @@ void measure_case(const Case& c, const mesh::Mesh& mesh, Results& results) {
   const std::array<const Runner*, 2> runner{&one, &two};
   for (int threads = 1; threads <= 2; ++threads) {
     const double step = runner[static_cast<std::size_t>(threads - 1)]->step();
-    const double triad = triad_bandwidth(static_cast<std::size_t>(bytes), threads);
+    const double triad = triad_bandwidth(step_footprint(model), threads);
     const std::string name =
         fmt::format("explicit.{}.{}.{}_thread{}", c.name, size, threads, threads == 1 ? "" : "s");
     fmt::print("  triad of the same size, {} thread{}: {:.1f} GB/s; the step uses {:.0f} % of it\n",

@@ -114,4 +114,15 @@ std::map<std::string, double> step_traffic(const seepage::Model& model) {
   return bytes;
 }
 
+std::size_t step_footprint(const seepage::Model& model) {
+  // pressure, saturation, conductance, lift, inflow, content, carry, storage, void volume
+  double bytes = 9.0 * size_of(model.state.pressure) + size_of(model.mesh.vertex_corners.start) +
+                 size_of(model.mesh.vertex_corners.entry);
+  if (!model.pore.joint.empty()) {
+    // conductance and both corners across
+    bytes += 2.0 * size_of(model.state.pressure);
+  }
+  return static_cast<std::size_t>(bytes);
+}
+
 }  // namespace percolith::bench

@@ -14,4 +14,8 @@ namespace percolith::bench {
 /// is written back. Full nodes stay full.
 [[nodiscard]] std::map<std::string, double> step_traffic(const seepage::Model& model);
 
+/// Bytes of the arrays an explicit step works on: what a triad must be as large as to meet the same
+/// caches.
+[[nodiscard]] std::size_t step_footprint(const seepage::Model& model);
+
 }  // namespace percolith::bench

@@ -169,7 +169,7 @@ void ExplicitStep::advance(Model& model, double dt, Execution& execution) {
     execution.for_each("joint flow", model.mesh.triangles(),
                        JointFlow{s.pressure.data(), s.saturation.data(), across_.conductance.data(),
                                  across_.start.data(), across_.end.data(), inflow_.data(),
-                                 weighted});
+                                 model.mesh.corners(), weighted});
   }
   execution.for_each("crack flow", cracks,
                      CrackFlow{&model, exchange_flow_.data(), crack_flow_.data()});
@@ -186,11 +186,17 @@ void ExplicitStep::advance(Model& model, double dt, Execution& execution) {
 
 void ExplicitStep::advance_pores(Model& model, double dt, Execution& execution) {
   State& s = model.state;
-  const ContentViews views{s.content.data(),  s.content_carry.data(),
-                           s.storage.data(),  s.void_volume.data(),
-                           s.pressure.data(), s.saturation.data(),
-                           inflow_.data(),    model.reference_pressure(),
-                           model.can_empty(), dt};
+  const ContentViews views{s.content.data(),
+                           s.content_carry.data(),
+                           s.storage.data(),
+                           s.void_volume.data(),
+                           s.pressure.data(),
+                           s.saturation.data(),
+                           inflow_.data(),
+                           model.mesh.corners(),
+                           model.reference_pressure(),
+                           model.can_empty(),
+                           dt};
   if (across_.conductance.empty()) {
     execution.for_each("pore contents", model.mesh.vertices(),
                        NodeContents{views, &model.mesh, &model.pore_nodes});

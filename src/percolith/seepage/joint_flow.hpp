@@ -4,6 +4,7 @@
 #include "percolith/seepage/model.hpp"
 #include "percolith/seepage/pore_flow.hpp"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct JointFlow {
   const Index* start;
   const Index* end;
   double* inflow;
+  Index corners;  ///< slots
   bool weighted;  ///< voids may be partly empty
 
   template <class Lane>
@@ -42,6 +44,9 @@ struct JointFlow {
     std::array<Real, 3> sum;
     for (std::size_t k = 0; k < 3; ++k) {
       slot[k] = mesh::corner_of(lane.first, static_cast<Index>(k));
+      const Index ahead = std::min(slot[k] + prefetch_distance, corners - 1);
+      prefetch(pressure + ahead);
+      prefetch(saturation + ahead);
       sum[k] = Lane::load(inflow + slot[k]);
     }
     for (std::size_t k = 0; k < 3; ++k) {

@@ -6,7 +6,9 @@
 #include "percolith/mesh/node_map.hpp"
 #include "percolith/seepage/content.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 
 namespace percolith::seepage {
 
@@ -19,6 +21,7 @@ struct ContentViews {
   double* pressure;
   double* saturation;
   const double* inflow;
+  mesh::Index corners;  ///< slots
   double reference_pressure;
   bool can_empty;
   double dt;
@@ -64,11 +67,14 @@ struct NodeContents {
 private:
   /// All corners of the vertex are one node.
   void advance(std::span<const mesh::Index> corners) const {
+    const mesh::Index node = corners.front();
+    const mesh::Index ahead = std::min(node + prefetch_distance, views.corners - 1);
+    prefetch(views.inflow + ahead);
+    prefetch(views.pressure + ahead);
     double sum = 0.0;
     for (const mesh::Index c : corners) {
       sum += views.inflow[c];
     }
-    const mesh::Index node = corners.front();
     const auto fluid = views.advance<ScalarLane>(node, sum);
     const bool refilled = views.saturation[node] != fluid.saturation;
     for (const mesh::Index c : corners) {
