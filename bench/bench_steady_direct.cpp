@@ -30,7 +30,7 @@ double bare_factorisation(const seepage::SymmetricMatrix& matrix,
 }
 
 void measure(Results& results) {
-  constexpr int rounds = 7;
+  constexpr int rounds = 15;
   const mesh::Mesh mesh = make_flow_mesh(100'000);
   FlowCase flow;
   compare_steady("steady.fractured.1e5", mesh, flow, bare_factorisation, rounds, results);
