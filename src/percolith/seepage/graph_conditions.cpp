@@ -4,7 +4,9 @@
 namespace percolith::seepage {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+std::size_t at(Index i) {
+  return static_cast<std::size_t>(i);
+}
 
 template <class NodeOf>
 void add_once(const std::vector<NodeCondition>& from, const NodeOf& node_of,

@@ -24,8 +24,8 @@ public:
   [[nodiscard]] CheckReport check() const;
 
   /// Runs to the end and reports to `observer`; true when the end was reached. Stops after the
-  /// current step when `stop` returns true, with a last frame and history row. Throws SolverError when it cannot go on; what was
-  /// reported before remains valid.
+  /// current step when `stop` returns true, with a last frame and history row. Throws SolverError
+  /// when it cannot go on; what was reported before remains valid.
   bool run(Observer& observer, const std::function<bool()>& stop);
 
   [[nodiscard]] Summary summary() const;
