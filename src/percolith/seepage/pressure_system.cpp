@@ -14,8 +14,8 @@ std::size_t at(Index i) {
 
 // By how much an iterative solver reduces the residual before the refinement, and in the end
 // (docs/decisions/refinement.md).
-constexpr double first_reduction = 1e-6;
-constexpr double whole_reduction = 1e-13;
+constexpr double first_reduction = 1e-7;
+constexpr double whole_reduction = 1e-15;
 
 /// The off-diagonal terms of the edges, by column: row and edge number in one word, so that one
 /// comparison orders them by row.
