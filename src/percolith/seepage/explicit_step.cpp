@@ -161,7 +161,7 @@ void ExplicitStep::advance(Model& model, double dt, Execution& execution) {
   const bool weighted = model.can_empty();
   const auto cracks = static_cast<Index>(crack_flow_.size());
   State& s = model.state;
-  begin_account(model);
+  bookings_.clear();
   execution.for_each("pore flow", model.mesh.triangles(),
                      PoreFlow{s.pressure.data(), s.saturation.data(), model.pore.conductance.data(),
                               model.pore.lift.data(), inflow_.data(), model.weight, weighted});
@@ -180,7 +180,8 @@ void ExplicitStep::advance(Model& model, double dt, Execution& execution) {
   execution.for_each(
       "crack contents", static_cast<Index>(model.cracks.open_nodes().size()),
       CrackContents{&model, &crack_ends_, exchange_flow_.data(), crack_flow_.data(), dt});
-  apply_pressures(model, dt, t);
+  apply_pressures(model, t);
+  book_step(model, bookings_, dt);
   model.state.time = t;
 }
 
@@ -212,16 +213,16 @@ void ExplicitStep::apply_rates(Model& model, double dt) {
     const double volume = model.conditions.value(c, middle) * dt;
     const auto node = at(model.pore_nodes.leader(c.place));
     add_compensated(s.content[node], s.content_carry[node], volume);
-    book(model, c.condition, volume, dt);
+    bookings_.push_back({c.condition, model.mesh.vertex_of(c.place), volume});
   }
   for (const NodeCondition& c : model.conditions.crack.rate) {
     const double volume = model.conditions.value(c, middle) * dt;
     add_compensated(s.crack_content[at(c.place)], s.crack_content_carry[at(c.place)], volume);
-    book(model, c.condition, volume, dt);
+    bookings_.push_back({c.condition, c.place, volume});
   }
 }
 
-void ExplicitStep::apply_pressures(Model& model, double dt, double t) {
+void ExplicitStep::apply_pressures(Model& model, double t) {
   const State& s = model.state;
   const double reference = model.reference_pressure();
   const auto pore = [&](const NodeCondition& c, double pressure) {
@@ -229,14 +230,14 @@ void ExplicitStep::apply_pressures(Model& model, double dt, double t) {
     const double target = s.storage[at(node)] * (pressure - reference);
     const double volume = (target - s.content[at(node)]) - s.content_carry[at(node)];
     set_pore_content(model, node, {target, 0.0});
-    book(model, c.condition, volume, dt);
+    bookings_.push_back({c.condition, model.mesh.vertex_of(c.place), volume});
   };
   const auto crack = [&](const NodeCondition& c, double pressure) {
     const double target = model.crack_storage(c.place) * (pressure - reference);
     const double volume =
         (target - s.crack_content[at(c.place)]) - s.crack_content_carry[at(c.place)];
     set_crack_content(model, c.place, {target, 0.0});
-    book(model, c.condition, volume, dt);
+    bookings_.push_back({c.condition, c.place, volume});
   };
   for (const NodeCondition& c : model.conditions.pore.pressure) {
     pore(c, model.conditions.value(c, t));

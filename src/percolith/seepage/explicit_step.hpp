@@ -2,6 +2,7 @@
 #pragma once
 
 #include "percolith/core/execution.hpp"
+#include "percolith/seepage/account.hpp"
 #include "percolith/seepage/joint_flow.hpp"
 #include "percolith/seepage/model.hpp"
 
@@ -32,14 +33,15 @@ public:
 private:
   void advance_pores(Model& model, double dt, Execution& execution);
   void apply_rates(Model& model, double dt);
-  void apply_pressures(Model& model, double dt, double t);
+  void apply_pressures(Model& model, double t);
 
   std::vector<double> inflow_;         // per corner, m2/s
   JointsAcross across_;                // of finite joints; empty when all are tied
   std::vector<double> exchange_flow_;  // per broken joint: into each of its four corners, m2/s
   std::vector<double> crack_flow_;     // per broken joint: from end 0 to end 1, m2/s
   std::vector<CrackFace> faces_;
-  mesh::IndexTable crack_ends_;  // per open crack node: broken joint k, end e as 2 k + e
+  mesh::IndexTable crack_ends_;    // per open crack node: broken joint k, end e as 2 k + e
+  std::vector<Booking> bookings_;  // of the present step
 };
 
 }  // namespace percolith::seepage

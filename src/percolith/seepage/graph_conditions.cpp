@@ -8,14 +8,15 @@ std::size_t at(Index i) {
   return static_cast<std::size_t>(i);
 }
 
-template <class NodeOf>
+template <class NodeOf, class VertexOf>
 void add_once(const std::vector<NodeCondition>& from, const NodeOf& node_of,
-              std::vector<std::uint8_t>& taken, std::vector<GraphCondition>& to) {
+              const VertexOf& vertex_of, std::vector<std::uint8_t>& taken,
+              std::vector<GraphCondition>& to) {
   for (const NodeCondition& c : from) {
     const Index node = node_of(c.place);
     if (node != mesh::none && taken[at(node)] == 0) {
       taken[at(node)] = 1;
-      to.push_back({node, c});
+      to.push_back({node, vertex_of(c.place), c});
     }
   }
 }
@@ -27,20 +28,22 @@ GraphConditions make_graph_conditions(const Model& model, const FlowGraph& graph
     return graph.node_of_corner[at(model.pore_nodes.leader(c))];
   };
   const auto of_vertex = [&](Index v) { return graph.node_of_vertex[at(v)]; };
+  const auto at_corner = [&](Index c) { return model.mesh.vertex_of(c); };
+  const auto at_vertex = [](Index v) { return v; };
   const Conditions& given = model.conditions;
   GraphConditions result;
   result.prescribed.assign(at(graph.nodes()), 0);
-  add_once(given.pore.pressure, of_corner, result.prescribed, result.pressure);
-  add_once(given.crack.pressure, of_vertex, result.prescribed, result.pressure);
+  add_once(given.pore.pressure, of_corner, at_corner, result.prescribed, result.pressure);
+  add_once(given.crack.pressure, of_vertex, at_vertex, result.prescribed, result.pressure);
   std::vector<std::uint8_t> taken = result.prescribed;
-  add_once(given.pore.seepage_face, of_corner, taken, result.seepage_face);
-  add_once(given.crack.seepage_face, of_vertex, taken, result.seepage_face);
+  add_once(given.pore.seepage_face, of_corner, at_corner, taken, result.seepage_face);
+  add_once(given.crack.seepage_face, of_vertex, at_vertex, taken, result.seepage_face);
   for (const NodeCondition& c : given.pore.rate) {
-    result.rate.push_back({of_corner(c.place), c});
+    result.rate.push_back({of_corner(c.place), at_corner(c.place), c});
   }
   for (const NodeCondition& c : given.crack.rate) {
     if (of_vertex(c.place) != mesh::none) {
-      result.rate.push_back({of_vertex(c.place), c});
+      result.rate.push_back({of_vertex(c.place), c.place, c});
     }
   }
   return result;

@@ -12,6 +12,7 @@ namespace percolith::seepage {
 /// A condition at a node of a flow graph.
 struct GraphCondition {
   Index node = 0;
+  Index vertex = 0;  ///< of the mesh
   NodeCondition condition;
 };
 

@@ -56,7 +56,7 @@ void ImplicitFlow::prepare(const Model& model, double dt) {
   for (const GraphCondition& c : conditions_.rate) {
     const double rate = model.conditions.value(c.condition, middle);
     rate_[at(c.node)] += rate;
-    booked_.emplace_back(c.condition.condition, rate * dt);
+    booked_.push_back({c.condition.condition, c.vertex, rate * dt});
   }
   const double end = last_moment(model, dt);
   for (const GraphCondition& c : conditions_.pressure) {
@@ -119,7 +119,8 @@ void ImplicitFlow::finish(const Model& model, double dt) {
     const auto n = at(c.node);
     const double pressure = model.conditions.value(c.condition, end);
     const double target = graph_.storage[n] * (pressure - model.reference_pressure());
-    booked_.emplace_back(c.condition.condition, (target - content_[n].value) - content_[n].carry);
+    booked_.push_back(
+        {c.condition.condition, c.vertex, (target - content_[n].value) - content_[n].carry});
     content_[n] = {target, 0.0};
   };
   for (const GraphCondition& c : conditions_.pressure) {
@@ -175,10 +176,7 @@ void ImplicitFlow::accept(Model& model) {
     previous_rate_[n] = (content_[n].total() - start_.content[n].total()) / dt_;
   }
   previous_dt_ = dt_;
-  begin_account(model);
-  for (const auto& [condition, volume] : booked_) {
-    book(model, condition, volume, dt_);
-  }
+  book_step(model, booked_, dt_);
   scatter_contents(model, graph_, content_);
   model.state.time += dt_;
 }

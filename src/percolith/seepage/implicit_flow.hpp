@@ -2,6 +2,7 @@
 #pragma once
 
 #include "percolith/core/execution.hpp"
+#include "percolith/seepage/account.hpp"
 #include "percolith/seepage/active_set.hpp"
 #include "percolith/seepage/flow_graph.hpp"
 #include "percolith/seepage/graph_conditions.hpp"
@@ -55,7 +56,7 @@ private:
   std::vector<CompensatedSum> content_;  // at the end of the attempted step
   std::vector<double> previous_rate_;    // of content, m2/s, in the last accepted step
   double previous_dt_ = 0.0;
-  std::vector<std::pair<Index, double>> booked_;  // condition, volume of the attempted step
+  std::vector<Booking> booked_;  // of the attempted step
 };
 
 }  // namespace percolith::seepage

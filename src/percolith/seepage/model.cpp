@@ -146,24 +146,6 @@ Model make_model(mesh::Mesh mesh, const material::Fluid& fluid, double gravity,
   return model;
 }
 
-void begin_account(Model& model) {
-  std::fill(model.rate.begin(), model.rate.end(), 0.0);
-  model.rate_in = 0.0;
-  model.rate_out = 0.0;
-}
-
-void book(Model& model, Index condition, double volume, double dt) {
-  model.let_in[at(condition)] += volume;
-  model.rate[at(condition)] += volume / dt;
-  if (volume >= 0.0) {
-    model.passed_in += volume;
-    model.rate_in += volume / dt;
-  } else {
-    model.passed_out += -volume;
-    model.rate_out -= volume / dt;
-  }
-}
-
 void set_pore_content(Model& model, Index node, CompensatedSum content) {
   State& s = model.state;
   const auto i = at(node);

@@ -77,7 +77,7 @@ struct Model {
   std::vector<CompensatedSum> let_in;
   /// Rate of each condition in the last step, m2/s into the model.
   std::vector<double> rate;
-  /// Fluid that entered and that left since time zero, node by node, m2; both positive. One
+  /// Fluid that entered and that left since time zero, vertex by vertex, m2; both positive. One
   /// condition may do both.
   CompensatedSum passed_in, passed_out;
   /// The same per second in the last step, m2/s.
@@ -108,12 +108,6 @@ struct Model {
 /// fluid appears. The order of `joints` does not matter; joints broken in several calls give the
 /// same network and nodes bit for bit, and the same contents to round-off.
 void break_joints(Model& model, std::span<const Index> joints, Index group);
-
-/// Starts the account of a step: rates are zero.
-void begin_account(Model& model);
-/// Books what a condition lets into one node in a step: `volume` in m2, negative when it leaves,
-/// in `dt` seconds.
-void book(Model& model, Index condition, double volume, double dt);
 
 /// Gives a pore node an excess and derives pressure and saturation at all its corners.
 void set_pore_content(Model& model, Index node, CompensatedSum content);

@@ -2,13 +2,13 @@
 #include "percolith/seepage/steady_flow.hpp"
 
 #include "percolith/core/error.hpp"
+#include "percolith/seepage/account.hpp"
 #include "percolith/seepage/active_set.hpp"
 #include "percolith/seepage/pressure_system.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace percolith::seepage {
@@ -39,17 +39,11 @@ void refuse_suction(const Model& model, const FlowGraph& graph, const GraphState
   }
 }
 
-/// A steady state has rates but lets no volume pass.
-void add_rate(Model& model, Index condition, double rate) {
-  model.rate[at(condition)] += rate;
-  (rate >= 0.0 ? model.rate_in : model.rate_out) += std::abs(rate);
-}
-
 void book_rates(Model& model, const GraphConditions& conditions, const ActiveSet& active,
                 std::span<const double> inflow, std::span<const double> rate) {
-  begin_account(model);
+  std::vector<Booking> bookings;
   const auto supply = [&](const GraphCondition& c) {
-    add_rate(model, c.condition.condition, -inflow[at(c.node)] - rate[at(c.node)]);
+    bookings.push_back({c.condition.condition, c.vertex, -inflow[at(c.node)] - rate[at(c.node)]});
   };
   for (const GraphCondition& c : conditions.pressure) {
     supply(c);
@@ -60,8 +54,10 @@ void book_rates(Model& model, const GraphConditions& conditions, const ActiveSet
     }
   }
   for (const GraphCondition& c : conditions.rate) {
-    add_rate(model, c.condition.condition, model.conditions.value(c.condition, model.state.time));
+    bookings.push_back(
+        {c.condition.condition, c.vertex, model.conditions.value(c.condition, model.state.time)});
   }
+  book_steady(model, bookings);
 }
 
 }  // namespace
