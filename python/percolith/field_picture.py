@@ -8,9 +8,9 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import LineCollection
-from matplotlib.tri import Triangulation
+from matplotlib.collections import LineCollection, PolyCollection
 
+from percolith.fine_triangles import refine
 from percolith.run_directory import Frame, RunDirectory, RunDirectoryError
 from percolith.units import Scale, format_time, power_scale, pressure_scale, time_scale
 from percolith.vtu import Grid
@@ -24,6 +24,7 @@ _LABEL = {
     "flux": "Darcy flux",
 }
 _OUTLINE = "#202020"
+_COLOURS = 256  # of the colour map
 
 
 @dataclass(frozen=True)
@@ -102,6 +103,22 @@ def _figure(points: np.ndarray):
     return figure, axes, is_wide
 
 
+def _draw_matrix(axes, frame: Frame, field: str, colours: dict,
+                 shown: ColourRange) -> PolyCollection:
+    """Draws flat triangles, fine enough that no step between two of them can be seen."""
+    corners = frame.matrix.points[frame.matrix.cells]
+    if field == "flux":
+        values = _flux_size(frame)
+    else:
+        at_corners = _values(frame.matrix, field)[frame.matrix.cells]
+        fine = refine(corners, at_corners, (shown.high - shown.low) / _COLOURS)
+        corners, values = fine.corners, fine.values
+    picture = PolyCollection(corners, array=values / shown.scale.factor, antialiased=False,
+                             linewidths=0.0, rasterized=True, **colours)
+    axes.add_collection(picture, autolim=False)
+    return picture
+
+
 def _draw_cracks(axes, cracks: Grid, field: str, colours: dict, factor: float) -> None:
     ends = cracks.points[cracks.cells]
     outline = LineCollection(ends, colors=_OUTLINE, linewidths=3.4, capstyle="round")
@@ -145,12 +162,7 @@ def draw_field(run: RunDirectory, frame: Frame, field: str, path: Path, arrows: 
     factor = shown.scale.factor
     colours = {"cmap": "viridis", "norm": plt.Normalize(shown.low / factor, shown.high / factor)}
     figure, axes, is_wide = _figure(frame.matrix.points)
-    mesh = Triangulation(*frame.matrix.points.T, frame.matrix.cells)
-    if field == "flux":
-        picture = axes.tripcolor(mesh, facecolors=_flux_size(frame) / factor, **colours)
-    else:
-        values = _values(frame.matrix, field)
-        picture = axes.tripcolor(mesh, values / factor, shading="gouraud", **colours)
+    picture = _draw_matrix(axes, frame, field, colours, shown)
     if arrows or field == "flux":
         _draw_arrows(axes, frame)
     if frame.cracks is not None and len(frame.cracks.cells):
@@ -162,6 +174,6 @@ def draw_field(run: RunDirectory, frame: Frame, field: str, path: Path, arrows: 
     moment = f"t = {format_time(frame.time, time_scale(run.times))}"
     moment = "steady state" if run.is_steady else moment
     axes.set_title(f"{run.title}\n{_LABEL[field]}, {moment}", fontsize=11)
-    figure.savefig(path, dpi=120)
+    figure.savefig(path, dpi=120, pil_kwargs={"optimize": True})
     plt.close(figure)
     return path
