@@ -11,6 +11,8 @@ import numpy as np
 from percolith.run_directory import RunDirectory, Table
 from percolith.units import Scale, power_scale, pressure_scale, time_scale
 
+_LEGEND_WIDTH = 100  # letters of small type across a panel; a handle takes 13
+
 
 def _draw_curves(axes, history: Table, time: Scale, curves: dict[str, str], scale: Scale,
                  quantity: str) -> None:
@@ -22,7 +24,12 @@ def _draw_curves(axes, history: Table, time: Scale, curves: dict[str, str], scal
         axes.plot(moments, history[column] / scale.factor, label=label, color=colours[i],
                   linestyle=styles[i % 4], marker=marker)
     axes.set_ylabel(scale.label(quantity))
-    axes.legend(fontsize="small", framealpha=0.8, edgecolor="none")
+    # Above the panel: no place inside is free of curves in every run.
+    columns = max(1, _LEGEND_WIDTH // (13 + max(map(len, curves.values()))))
+    rows = -(-len(curves) // columns)
+    axes.legend(fontsize="small", frameon=False, loc="lower left", bbox_to_anchor=(0.0, 1.0),
+                borderpad=0.0, columnspacing=1.2,
+                ncols=-(-len(curves) // rows))
 
 
 def _rates(history: Table) -> dict[str, str]:
