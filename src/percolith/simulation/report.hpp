@@ -118,11 +118,12 @@ public:
   virtual void on_warning(const std::string&) {}
 };
 
-/// A limit of the explicit time step.
+/// A limit of the explicit time step: that of one mechanism, or of all of them together.
 struct StepLimit {
-  std::string mechanism;  ///< "pore flow", "finite joints", "crack flow", "exchange"
-  double step = 0.0;      ///< s
-  Point place;            ///< m: where it is smallest
+  /// "pore flow", "finite joints", "crack flow", "exchange", "all together"
+  std::string mechanism;
+  double step = 0.0;  ///< s
+  Point place;        ///< m: where it is smallest
 };
 
 /// What `percolith check` prints.
@@ -136,7 +137,9 @@ struct CheckReport {
   double fracture_length = 0.0;                            ///< m
   std::map<std::string, double> region_area;               ///< m2
   std::map<std::string, double> fracture_length_by_group;  ///< m, by fracture table
-  std::vector<StepLimit> limits;                           ///< smallest first
+  /// One per mechanism of the model, smallest first; the last, "all together", counts every
+  /// mechanism at once and is the one that rules.
+  std::vector<StepLimit> limits;
   std::vector<std::string> warnings;
 };
 
