@@ -14,21 +14,22 @@ from percolith.units import Scale, format_time, power_scale, pressure_scale, tim
 _COLUMN = {"pressure": "pressure_Pa", "head": "head_m", "saturation": "saturation",
            "flux": "flux_x_m_per_s"}
 _LABEL = {"pressure_Pa": "Pressure", "head_m": "Hydraulic head", "saturation": "Saturation",
-          "flux_x_m_per_s": "Darcy flux along x", "flux_m2_per_s": "Flux in the crack"}
+          "flux_x_m_per_s": "Darcy flux along x",
+          "flux_x_m2_per_s": "Flux in the crack along x"}
 
 
 def _column(table: Table, field: str) -> str:
     """The column of `field`; the pressure where the probe has none."""
     wanted = _COLUMN[field]
     if field == "flux" and wanted not in table:
-        wanted = "flux_m2_per_s"
+        wanted = "flux_x_m2_per_s"
     return wanted if wanted in table else "pressure_Pa"
 
 
 def _scale(column: str, values: np.ndarray) -> Scale:
     if column == "pressure_Pa":
         return pressure_scale(values)
-    unit = {"head_m": "m", "flux_x_m_per_s": "m/s", "flux_m2_per_s": "m²/s"}.get(column, "")
+    unit = {"head_m": "m", "flux_x_m_per_s": "m/s", "flux_x_m2_per_s": "m²/s"}.get(column, "")
     return power_scale(values, unit) if unit else Scale(1.0, "")
 
 

@@ -9,9 +9,10 @@
 
 namespace percolith::mesh {
 
-/// Which corners share one unknown (theory 1). The corners at a vertex that are connected through
-/// tied joints form a node; the node is named by its lowest corner, its leader. With no joint tied
-/// every corner is its own node. Displacement and pore pressure each have a map of their own.
+/// Which corners share one unknown (theory.md section 1). The corners at a vertex that are
+/// connected through tied joints form a node; the node is named by its lowest corner, its leader.
+/// With no joint tied every corner is its own node. Displacement and pore pressure each have a map
+/// of their own.
 ///
 /// The map of a vertex depends only on which joints there are tied, not on the order in which they
 /// were released: releasing joints one by one equals a rebuild.

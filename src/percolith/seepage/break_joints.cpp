@@ -22,7 +22,8 @@ void set_crack_properties(Model& model, Index joint, Index group) {
   model.crack.exchange[at(joint)] = exchange_conductance(fracture, length);
 }
 
-/// Half the volume of every broken joint at the vertex, summed in ascending order (theory 3.3).
+/// Half the volume of every broken joint at the vertex, summed in ascending order (theory.md
+/// section 5).
 double crack_volume(const Model& model, Index vertex) {
   double volume = 0.0;
   for (const Index j : model.mesh.vertex_joints.row(vertex)) {

@@ -2,9 +2,14 @@
 #include "percolith/seepage/conditions.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace percolith::seepage {
+
+double last_moment(double end) {
+  return end - 4.0 * std::numeric_limits<double>::epsilon() * std::abs(end);
+}
 
 double Conditions::next_break(double t) const {
   double earliest = std::numeric_limits<double>::infinity();

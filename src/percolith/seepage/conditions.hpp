@@ -28,6 +28,10 @@ struct FieldConditions {
   std::vector<NodeCondition> seepage_face;  ///< outside pressure; fluid may only leave
 };
 
+/// The last moment of a step that ends at `end` (s): a condition that jumps then acts in the next
+/// step only. Some units in the last place before the end, because time plus step is rounded.
+[[nodiscard]] double last_moment(double end);
+
 /// All boundary conditions and sources, by place. No node carries two prescribed pressures.
 struct Conditions {
   std::vector<Schedule> schedule;

@@ -13,7 +13,8 @@ struct FluidState {
   Real saturation;
 };
 
-/// State equation of a pore or crack node (theory 3; linearised in the paper's (24), (31), (32)).
+/// State equation of a pore or crack node (theory.md section 2; linearised in the paper's (24),
+/// (31), (32)).
 ///
 /// `excess` w (m2) is the fluid the node holds beyond a full node at the reference pressure in the
 /// undeformed state; `growth` (m2) by how much its void space has grown since; `storage` S (m2/Pa)

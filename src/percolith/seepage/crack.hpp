@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-// Flow along one broken joint and between it and the rock (theory 3.3, 3.4).
+// Flow along one broken joint and between it and the rock (theory.md section 5).
 namespace percolith::seepage {
 
 /// Hydraulic aperture a = a_0 + u_n within [a_min, a_max], (28); `opening` u_n and result in m.
@@ -14,7 +14,8 @@ PERCOLITH_DEVICE double hydraulic_aperture(const material::Fracture& f, double o
   return std::min(std::max(f.initial_aperture + opening, f.minimum_aperture), f.maximum_aperture);
 }
 
-/// Aperture that holds fluid: a_0 + u_n, not below a_min and not limited above (theory 3.3).
+/// Aperture that holds fluid: a_0 + u_n, not below a_min and not limited above (theory.md section
+/// 5).
 PERCOLITH_DEVICE double storage_aperture(const material::Fracture& f, double opening) {
   return std::max(f.initial_aperture + opening, f.minimum_aperture);
 }

@@ -180,7 +180,7 @@ void ExplicitStep::advance(Model& model, double dt, Execution& execution) {
   execution.for_each(
       "crack contents", static_cast<Index>(model.cracks.open_nodes().size()),
       CrackContents{&model, &crack_ends_, exchange_flow_.data(), crack_flow_.data(), dt});
-  apply_pressures(model, t);
+  apply_pressures(model, last_moment(t));
   book_step(model, bookings_, dt);
   model.state.time = t;
 }

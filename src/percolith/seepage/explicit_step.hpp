@@ -17,8 +17,9 @@ struct CrackFace {
   std::array<Index, 2> flow;  ///< of the lower joint first; the second may be `none`
 };
 
-/// Advances a model by explicit steps (theory 3.5): flows from the present pressures, contents
-/// from the flows, pressures from the contents. Holds the buffers the flows are gathered from.
+/// Advances a model by explicit steps (theory.md section 6): flows from the present pressures,
+/// contents from the flows, pressures from the contents. Holds the buffers the flows are gathered
+/// from.
 class ExplicitStep {
 public:
   explicit ExplicitStep(const Model& model);

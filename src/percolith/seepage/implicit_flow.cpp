@@ -18,13 +18,6 @@ constexpr double saturation_tolerance = 1e-9;
 /// counts this much of an error of pressure.
 constexpr double saturation_share = 0.02;
 
-/// The last moment of a step: a condition that jumps at the end acts in the next step only. Some
-/// units in the last place before the end, because time plus step is rounded.
-double last_moment(const Model& model, double dt) {
-  const double end = model.state.time + dt;
-  return end - 4.0 * std::numeric_limits<double>::epsilon() * std::abs(end);
-}
-
 }  // namespace
 
 ImplicitFlow::ImplicitFlow(const Model& model)
@@ -58,7 +51,7 @@ void ImplicitFlow::prepare(const Model& model, double dt) {
     rate_[at(c.node)] += rate;
     booked_.push_back({c.condition.condition, c.vertex, rate * dt});
   }
-  const double end = last_moment(model, dt);
+  const double end = last_moment(model.state.time + dt);
   for (const GraphCondition& c : conditions_.pressure) {
     state_.pressure[at(c.node)] = model.conditions.value(c.condition, end);
     state_.saturation[at(c.node)] = 1.0;
@@ -70,7 +63,7 @@ void ImplicitFlow::prepare(const Model& model, double dt) {
 }
 
 bool ImplicitFlow::iterate(const Model& model, double dt, Execution& execution) {
-  const double end = last_moment(model, dt);
+  const double end = last_moment(model.state.time + dt);
   const double reference = model.reference_pressure();
   for (iterations_ = 1; iterations_ <= most_iterations; ++iterations_) {
     const bool linear = !active_.any_empty() && conditions_.seepage_face.empty();
@@ -109,7 +102,7 @@ bool ImplicitFlow::iterate(const Model& model, double dt, Execution& execution) 
 }
 
 void ImplicitFlow::finish(const Model& model, double dt) {
-  const double end = last_moment(model, dt);
+  const double end = last_moment(model.state.time + dt);
   for (std::size_t n = 0; n < content_.size(); ++n) {
     content_[n] = start_.content[n];
     content_[n] += dt * (inflow_[n] + rate_[n]);

@@ -12,8 +12,8 @@
 
 namespace percolith::seepage {
 
-/// Backward Euler over pore and crack nodes together (theory 3.5). Every step solves for the
-/// pressures, then moves the contents by the flows those pressures drive, so that fluid is
+/// Backward Euler over pore and crack nodes together (theory.md section 6). Every step solves for
+/// the pressures, then moves the contents by the flows those pressures drive, so that fluid is
 /// conserved whatever the solution's accuracy.
 class ImplicitFlow {
 public:

@@ -42,7 +42,8 @@ struct CrackProperties {
   std::vector<double> lift;         ///< per vertex: rho_w g y, Pa
 };
 
-/// What flows and is conserved (theory 3): contents are stored, pressures and saturations derived.
+/// What flows and is conserved (theory.md section 2): contents are stored, pressures and
+/// saturations derived.
 struct State {
   double time = 0.0;                        ///< s
   std::vector<double> pressure;             ///< per corner, Pa; equal at all corners of a node
@@ -97,7 +98,7 @@ struct Model {
 };
 
 /// Builds a model without cracks, full at the reference pressure. `rock` has one entry per region
-/// of the mesh, `joint_factor` is n of finite joints (theory 3.2).
+/// of the mesh, `joint_factor` is n of finite joints (theory.md section 4).
 [[nodiscard]] Model make_model(mesh::Mesh mesh, const material::Fluid& fluid, double gravity,
                                std::vector<material::PoreRock> rock,
                                std::vector<material::Fracture> fracture, PoreJoints joints,

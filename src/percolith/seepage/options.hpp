@@ -3,9 +3,9 @@
 
 namespace percolith::seepage {
 
-/// How pore pressure crosses an unbroken joint (theory 3.2).
+/// How pore pressure crosses an unbroken joint (theory.md section 4).
 enum class PoreJoints { tied, finite };
-/// Which saturation weights the flow between two corners (theory 3.1).
+/// Which saturation weights the flow between two corners (theory.md section 3).
 enum class SaturationWeight { upstream, mean };
 
 }  // namespace percolith::seepage

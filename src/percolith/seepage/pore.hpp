@@ -6,7 +6,7 @@
 
 #include <array>
 
-// Pore flow in one triangle and across one unbroken joint (theory 3.1, 3.2).
+// Pore flow in one triangle and across one unbroken joint (theory.md section 3 and 4).
 namespace percolith::seepage {
 
 /// Conductances (m3/(s Pa) per metre: m2/(Pa s)) of a triangle with counter-clockwise points `p`

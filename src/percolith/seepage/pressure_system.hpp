@@ -13,8 +13,8 @@ namespace percolith::seepage {
 
 /// The linear equations for the pressures of a flow graph: for every node that is not prescribed
 ///   storage_rate (p - p_ref) - inflow(p) = source,
-/// storage_rate = S/dt for a backward Euler step (theory 3.5), zero in steady flow. The matrix is
-/// symmetric positive definite; its pattern is made once.
+/// storage_rate = S/dt for a backward Euler step (theory.md section 6), zero in steady flow. The
+/// matrix is symmetric positive definite; its pattern is made once.
 class PressureSystem {
 public:
   /// `prescribed` nodes (1 per node) never become unknowns.

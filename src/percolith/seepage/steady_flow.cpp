@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace percolith::seepage {
@@ -60,6 +62,62 @@ void book_rates(Model& model, const GraphConditions& conditions, const ActiveSet
   book_steady(model, bookings);
 }
 
+/// Flow that the last digit of the largest pressure drives through all conductances, m2/s.
+double round_off_flow(const FlowGraph& graph, const GraphState& state) {
+  double largest = 0.0;
+  for (std::size_t n = 0; n < state.pressure.size(); ++n) {
+    largest = std::max({largest, std::abs(state.pressure[n]), std::abs(graph.lift[n])});
+  }
+  double sum = 0.0;
+  for (const double conductance : graph.conductance) {
+    sum += std::abs(conductance);
+  }
+  return std::numeric_limits<double>::epsilon() * largest * sum;
+}
+
+/// The arrays of a steady solution.
+struct SteadyFields {
+  GraphState state;
+  std::vector<double> no_storage, rate, flow, inflow;
+};
+
+/// Pressures to start from do not depend on the state before, so neither does the result.
+SteadyFields prepare(const Model& model, const FlowGraph& graph,
+                     const GraphConditions& conditions) {
+  const auto nodes = at(graph.nodes());
+  SteadyFields fields{gather_state(model, graph), std::vector<double>(nodes, 0.0),
+                      std::vector<double>(nodes, 0.0), std::vector<double>(graph.from.size()),
+                      std::vector<double>(nodes)};
+  std::fill(fields.state.pressure.begin(), fields.state.pressure.end(), model.reference_pressure());
+  for (const GraphCondition& c : conditions.rate) {
+    fields.rate[at(c.node)] += model.conditions.value(c.condition, model.state.time);
+  }
+  for (const GraphCondition& c : conditions.pressure) {
+    fields.state.pressure[at(c.node)] = model.conditions.value(c.condition, model.state.time);
+  }
+  return fields;
+}
+
+/// Solves with the present set of open faces; throws SolverError where there is no solution.
+void solve_once(const Model& model, const FlowGraph& graph, PressureSystem& system,
+                const ActiveSet& active, SteadyFields& fields, Execution& execution) {
+  auto start = std::chrono::steady_clock::now();
+  if (!system.assemble(graph, graph.conductance, fields.no_storage, active.held())) {
+    throw SolverError("steady flow: the equations are singular; every seepage face closed, or a "
+                      "part of the model has no conductance to a given pressure");
+  }
+  execution.book("factorisation", start);
+  start = std::chrono::steady_clock::now();
+  if (!system.solve(graph, graph.conductance, fields.no_storage, fields.rate,
+                    model.reference_pressure(), fields.state)) {
+    throw SolverError("steady flow: the linear solver found no solution; check permeabilities "
+                      "and transmissivities for extreme ratios");
+  }
+  edge_flows(graph, fields.state, graph.conductance, fields.flow);
+  node_inflows(graph, fields.flow, fields.inflow);
+  execution.book("solution", start);
+}
+
 }  // namespace
 
 std::optional<Index> node_without_datum(const FlowGraph& graph, const GraphConditions& conditions) {
@@ -95,56 +153,33 @@ std::optional<Index> node_without_datum(const FlowGraph& graph, const GraphCondi
 }
 
 SteadyResult solve_steady(Model& model, Execution& execution) {
-  auto start = std::chrono::steady_clock::now();
+  const auto start = std::chrono::steady_clock::now();
   const FlowGraph graph = make_flow_graph(model);
   const GraphConditions conditions = make_graph_conditions(model, graph);
   PressureSystem system(graph, conditions.prescribed);
   ActiveSet active(graph);
-  GraphState state = gather_state(model, graph);
-  const std::vector<double> no_storage(state.pressure.size(), 0.0);
-  std::vector<double> rate(state.pressure.size(), 0.0);
-  std::vector<double> flow(graph.from.size());
-  std::vector<double> inflow(state.pressure.size());
-  for (const GraphCondition& c : conditions.rate) {
-    rate[at(c.node)] += model.conditions.value(c.condition, model.state.time);
-  }
-  for (const GraphCondition& c : conditions.pressure) {
-    state.pressure[at(c.node)] = model.conditions.value(c.condition, model.state.time);
-  }
+  SteadyFields fields = prepare(model, graph, conditions);
   execution.book("assembly", start);
-  SteadyResult result{0, system.unknowns(), 0.0};
+  SteadyResult result{0, system.unknowns(), 0.0, 0.0};
   // Faces start open: a system without any given pressure would be singular.
   bool changed = active.open_faces(conditions);
   do {
-    start = std::chrono::steady_clock::now();
-    active.hold(model, conditions, model.state.time, state);
-    if (!system.assemble(graph, graph.conductance, no_storage, active.held())) {
-      throw SolverError("steady flow: the equations are singular; every seepage face closed, or a "
-                        "part of the model has no conductance to a given pressure");
-    }
-    execution.book("factorisation", start);
-    start = std::chrono::steady_clock::now();
-    if (!system.solve(graph, graph.conductance, no_storage, rate, model.reference_pressure(),
-                      state)) {
-      throw SolverError("steady flow: the linear solver found no solution; check permeabilities "
-                        "and transmissivities for extreme ratios");
-    }
-    edge_flows(graph, state, graph.conductance, flow);
-    node_inflows(graph, flow, inflow);
-    execution.book("solution", start);
-    changed =
-        active.update_faces(model, conditions, model.state.time, rate, no_storage, inflow, state);
+    active.hold(model, conditions, model.state.time, fields.state);
+    solve_once(model, graph, system, active, fields, execution);
+    changed = active.update_faces(model, conditions, model.state.time, fields.rate,
+                                  fields.no_storage, fields.inflow, fields.state);
   } while (++result.iterations < most_iterations && changed);
   if (changed) {
     throw SolverError(fmt::format("steady flow: the seepage faces did not settle in {} iterations",
                                   most_iterations));
   }
-  refuse_suction(model, graph, state);
-  book_rates(model, conditions, active, inflow, rate);
+  refuse_suction(model, graph, fields.state);
+  book_rates(model, conditions, active, fields.inflow, fields.rate);
   result.throughput = model.rate_in;
-  std::vector<CompensatedSum> content(state.pressure.size());
+  result.round_off = round_off_flow(graph, fields.state);
+  std::vector<CompensatedSum> content(fields.state.pressure.size());
   for (std::size_t n = 0; n < content.size(); ++n) {
-    content[n].value = graph.storage[n] * (state.pressure[n] - model.reference_pressure());
+    content[n].value = graph.storage[n] * (fields.state.pressure[n] - model.reference_pressure());
   }
   scatter_contents(model, graph, content);
   return result;

@@ -19,11 +19,14 @@ struct SteadyResult {
   int iterations = 0;
   Index unknowns = 0;
   double throughput = 0.0;  ///< m2/s that enter and leave
+  /// Flow, m2/s, that is round-off: a throughput not above it means water at rest.
+  double round_off = 0.0;
 };
 
-/// Finds the steady pressures (theory 3.5) under the conditions at the model's time, in one solve,
-/// or iterated over the seepage faces; sets the state and `model.rate`. Throws SolverError, with a
-/// place, where the flow would need suction below the cavitation pressure or no solution is found.
+/// Finds the steady pressures (theory.md section 6) under the conditions at the model's time, in
+/// one solve, or iterated over the seepage faces; sets the state and `model.rate`. Throws
+/// SolverError, with a place, where the flow would need suction below the cavitation pressure or no
+/// solution is found.
 SteadyResult solve_steady(Model& model, Execution& execution);
 
 }  // namespace percolith::seepage

@@ -17,9 +17,9 @@ struct FlowLimit {
   Index node = mesh::none;
 };
 
-/// Limits of the explicit scheme (theory 3.5): storage over the sum of conductances at each node,
-/// the smallest over the nodes, for every mechanism that is there, smallest first; the last entry
-/// counts all together and is the one that holds.
+/// Limits of the explicit scheme (theory.md section 6): storage over the sum of conductances at
+/// each node, the smallest over the nodes, for every mechanism that is there, smallest first; the
+/// last entry counts all together and is the one that holds.
 [[nodiscard]] std::vector<FlowLimit> step_limits(const FlowGraph& graph);
 
 }  // namespace percolith::seepage

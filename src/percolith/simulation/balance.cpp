@@ -35,7 +35,8 @@ MassBalance mass_balance(const seepage::Model& model, double in_place_at_start,
   return balance;
 }
 
-MassBalance steady_balance(const seepage::Model& model, const Execution& execution) {
+MassBalance steady_balance(const seepage::Model& model, double round_off,
+                           const Execution& execution) {
   MassBalance balance;
   balance.in_place = seepage::fluid_in_place(model, execution);
   for (std::size_t i = 0; i < model.rate.size(); ++i) {
@@ -44,7 +45,8 @@ MassBalance steady_balance(const seepage::Model& model, const Execution& executi
   balance.in = model.rate_in;
   balance.out = model.rate_out;
   balance.error = balance.in - balance.out;
-  balance.relative_error = balance.in > 0.0 ? std::abs(balance.error) / balance.in : 0.0;
+  const double throughput = std::max(balance.in, balance.out);
+  balance.relative_error = throughput > round_off ? std::abs(balance.error) / throughput : 0.0;
   return balance;
 }
 
@@ -92,6 +94,33 @@ std::optional<std::string> find_invalid(const seepage::Model& model) {
     if (!std::isfinite(s.crack_pressure[at(v)]) || !std::isfinite(s.crack_saturation[at(v)])) {
       const Point p = model.mesh.vertex[at(v)];
       return fmt::format("crack pressure at ({:.6g}, {:.6g})", p.x, p.y);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> find_overdrawn(const seepage::Model& model) {
+  // Donors weighted by the mean saturation drain nodes below zero by themselves (theory.md section
+  // 2).
+  if (model.weight == seepage::SaturationWeight::mean) {
+    return std::nullopt;
+  }
+  constexpr double tolerance = 1e-3;
+  const seepage::State& s = model.state;
+  const auto text = [](const char* kind, const Point& p) {
+    return fmt::format("{} at ({:.6g}, {:.6g})", kind, p.x, p.y);
+  };
+  for (Index t = 0; t < model.mesh.triangles(); ++t) {
+    for (Index k = 0; k < 3; ++k) {
+      const Index c = mesh::corner_of(t, k);
+      if (s.saturation[at(c)] < -tolerance) {
+        return text("pore node", model.mesh.place_of(c));
+      }
+    }
+  }
+  for (const Index v : model.cracks.open_nodes()) {
+    if (s.crack_saturation[at(v)] < -tolerance) {
+      return text("crack node", model.mesh.vertex[at(v)]);
     }
   }
   return std::nullopt;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace percolith::simulation {
 namespace {
@@ -75,6 +76,11 @@ std::vector<std::string> model_warnings(const Setup& setup, const seepage::Model
                       std::clamp(f.initial_aperture, f.minimum_aperture, f.maximum_aperture)));
     }
   }
+  if (setup.boundary.empty() && setup.source.empty()) {
+    warnings.push_back(
+        "the case has no boundary and no source table: every edge is impervious, and "
+        "only what gravity and the initial state drive will flow");
+  }
   if (setup.time.scheme == Scheme::steady) {
     for (std::size_t i = 0; i < model.conditions.schedule.size(); ++i) {
       if (!model.conditions.schedule[i].is_constant()) {
@@ -86,7 +92,8 @@ std::vector<std::string> model_warnings(const Setup& setup, const seepage::Model
   return warnings;
 }
 
-CheckReport make_check_report(const Setup& setup, const seepage::Model& model) {
+CheckReport make_check_report(const Setup& setup, const seepage::Model& model,
+                              std::vector<std::string> warnings) {
   CheckReport report;
   const mesh::Mesh& mesh = model.mesh;
   report.triangles = mesh.triangles();
@@ -104,7 +111,7 @@ CheckReport make_check_report(const Setup& setup, const seepage::Model& model) {
     report.fracture_length_by_group[names[at(model.crack.group[at(j)])]] += length;
   }
   add_limits(model, report);
-  report.warnings = model_warnings(setup, model);
+  report.warnings = std::move(warnings);
   if (report.smallest_angle < 10.0) {
     report.warnings.push_back(fmt::format(
         "the smallest angle of the mesh is {:.1f} degree, at ({:g}, {:g}): gradients "

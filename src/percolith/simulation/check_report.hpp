@@ -7,8 +7,9 @@
 
 namespace percolith::simulation {
 
-/// Counts, mesh quality, limits of the explicit step and warnings.
-[[nodiscard]] CheckReport make_check_report(const Setup& setup, const seepage::Model& model);
+/// Counts, mesh quality and limits of the explicit step; adds to `warnings`, those known already.
+[[nodiscard]] CheckReport make_check_report(const Setup& setup, const seepage::Model& model,
+                                            std::vector<std::string> warnings);
 
 /// What deserves a word although it can be computed.
 [[nodiscard]] std::vector<std::string> model_warnings(const Setup& setup,

@@ -7,6 +7,9 @@
 
 namespace percolith::simulation {
 
+/// Throws InputError when an output or history interval would give more than a million outputs.
+void require_sensible_intervals(const Setup& setup);
+
 /// The times at which fields and probes are written.
 class EventClock {
 public:
@@ -14,9 +17,12 @@ public:
   EventClock(const Output& output, double end);
   /// The first output time after `t`, s; infinity after the last.
   [[nodiscard]] double next_output(double t) const;
+  /// True when `t` is the output time `output` or differs from it by round-off.
+  [[nodiscard]] bool reaches(double t, double output) const;
 
 private:
-  std::vector<double> times_;  // ascending
+  std::vector<double> times_;  // of the list and the end, ascending
+  double interval_;            // 0: none
 };
 
 /// Tells when the next row of history is due.

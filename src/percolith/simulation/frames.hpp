@@ -28,11 +28,12 @@ class ProbeReader {
 public:
   /// Throws InputError (key `probe.NAME...`) for a point outside of the rock, or in a crack where
   /// there is none within half an edge. Points of a line in a crack that are farther away than
-  /// that, and points of a line outside of the rock, are left out; a line without any point is
-  /// refused.
+  /// that, and points of a line outside of the rock, are left out with a warning; a line without
+  /// any point is refused.
   ProbeReader(const std::map<std::string, Probe>& probes, const seepage::Model& model,
               double head_datum);
   [[nodiscard]] std::vector<ProbeSample> read(const seepage::Model& model) const;
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:
   struct Target {
@@ -48,6 +49,7 @@ private:
   [[nodiscard]] ProbeRow matrix_row(const seepage::Model& model, const Target& target) const;
   [[nodiscard]] ProbeRow crack_row(const seepage::Model& model, const Target& target) const;
   std::vector<Located> probes_;
+  std::vector<std::string> warnings_;
   double head_datum_;
 };
 

@@ -44,7 +44,8 @@ ProbeReader::ProbeReader(const std::map<std::string, Probe>& probes, const seepa
   const mesh::TriangleFinder finder(model.mesh);
   for (const auto& [name, probe] : probes) {
     Located located{name, probe.in, {}};
-    for (const Point& p : points_of(probe)) {
+    const std::vector<Point> points = points_of(probe);
+    for (const Point& p : points) {
       if (probe.in == Domain::crack) {
         const auto place = nearest_joint(model.mesh, model.cracks.broken_joints(), p);
         if (place && place->distance <= 0.5 * model.mesh.joint_length(place->joint)) {
@@ -64,6 +65,12 @@ ProbeReader::ProbeReader(const std::map<std::string, Probe>& probes, const seepa
                                                   : "the point lies outside of the rock",
                         probe.in == Domain::crack ? "places on a fracture, within half an edge"
                                                   : "places inside the mesh"});
+    }
+    if (located.targets.size() < points.size()) {
+      warnings_.push_back(fmt::format("probe.{}: {} of {} points lie {} and are left out", name,
+                                      points.size() - located.targets.size(), points.size(),
+                                      probe.in == Domain::crack ? "too far from any open crack"
+                                                                : "outside of the rock"));
     }
     probes_.push_back(std::move(located));
   }
@@ -100,8 +107,10 @@ ProbeRow ProbeReader::crack_row(const seepage::Model& model, const Target& targe
                      fraction * model.mesh.vertex[at(ends[1])].y;
     row.values.push_back(pressure / specific_weight + (y - head_datum_));
   }
+  const Point along = model.mesh.vertex[at(ends[1])] - model.mesh.vertex[at(ends[0])];
+  const Point flux = (crack_flow(model, joint) / model.mesh.joint_length(joint)) * along;
   row.values.insert(row.values.end(), {between(model.state.crack_saturation, ends, fraction),
-                                       model.crack.aperture[at(joint)], crack_flow(model, joint)});
+                                       model.crack.aperture[at(joint)], flux.x, flux.y});
   return row;
 }
 
@@ -114,7 +123,8 @@ std::vector<ProbeSample> ProbeReader::read(const seepage::Model& model) const {
       sample.columns.push_back("head_m");
     }
     const std::vector<std::string> more =
-        crack ? std::vector<std::string>{"saturation", "aperture_m", "flux_m2_per_s"}
+        crack ? std::vector<std::string>{"saturation", "aperture_m", "flux_x_m2_per_s",
+                                         "flux_y_m2_per_s"}
               : std::vector<std::string>{"saturation", "flux_x_m_per_s", "flux_y_m_per_s"};
     sample.columns.insert(sample.columns.end(), more.begin(), more.end());
     for (const Target& target : probe.targets) {

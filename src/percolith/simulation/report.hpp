@@ -46,7 +46,8 @@ struct Frame {
 
 /// One row of a probe: quantities that do not exist there (head without gravity, aperture in the
 /// matrix) are absent from `values`. Keys carry units: `pressure_Pa`, `head_m`, `saturation`,
-/// `flux_x_m_per_s`, `flux_y_m_per_s`; in cracks `aperture_m`, `flux_m2_per_s`.
+/// `flux_x_m_per_s`, `flux_y_m_per_s`; in cracks `aperture_m`, `flux_x_m2_per_s`,
+/// `flux_y_m2_per_s`.
 struct ProbeRow {
   Point place;  ///< m
   std::vector<double> values;
@@ -101,7 +102,7 @@ struct Summary {
   std::int64_t iterations = 0;
   std::map<std::string, double> wall_time;  ///< s per phase
   HistoryRow last;
-  double throughput = 0.0;  ///< m2/s, of a steady run
+  double throughput = 0.0;  ///< m2/s that enter, in the last step or in steady state
   std::string state_hash;   ///< of pressures, saturations and contents
   std::vector<std::string> warnings;
 };

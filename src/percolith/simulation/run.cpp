@@ -10,7 +10,7 @@
 namespace percolith::simulation {
 
 void require_datum(const Setup& setup, const seepage::Model& model) {
-  if (setup.time.scheme != Scheme::steady) {
+  if (setup.time.scheme != Scheme::steady && !setup.initial.steady) {
     return;
   }
   const seepage::FlowGraph graph = seepage::make_flow_graph(model);
@@ -19,8 +19,8 @@ void require_datum(const Setup& setup, const seepage::Model& model) {
   if (node) {
     const Point p = graph.place(model, *node);
     throw InputError({{},
-                      "time.scheme",
-                      "\"steady\"",
+                      setup.initial.steady ? "initial.steady" : "time.scheme",
+                      setup.initial.steady ? "true" : "\"steady\"",
                       fmt::format("nothing fixes the pressure in the part of the model that holds "
                                   "the {} at ({:g}, {:g})",
                                   graph.kind(*node), p.x, p.y),
@@ -46,6 +46,7 @@ void report_history(RunState& run, double step_size, Observer& observer) {
       history_row(run.model, mass_balance(run.model, run.in_place_at_start, run.execution));
   run.summary.last.step = run.summary.steps;
   run.summary.last.step_size = step_size;
+  run.summary.throughput = run.model.rate_in;
   observer.on_history(run.summary.last);
   run.execution.book("output", start);
 }
@@ -55,6 +56,13 @@ void require_valid(const RunState& run) {
     throw SolverError(fmt::format(
         "the {} is not a number at time {:.9g} s (step {}); the results up to the last output are "
         "kept. Look for extreme or contradictory values near that place",
+        *place, run.model.state.time, run.summary.steps));
+  }
+  if (const auto place = find_overdrawn(run.model)) {
+    throw SolverError(fmt::format(
+        "a source or flux takes more fluid than there is from the {} at time {:.9g} s (step {}); "
+        "the results up to the last output are kept. Lower the rate that is taken there, or give a "
+        "pressure in its place",
         *place, run.model.state.time, run.summary.steps));
   }
 }
@@ -73,7 +81,8 @@ void run_steady(const Setup& setup, RunState& run, Observer& observer) {
   run.summary.steps = 1;
   run.summary.iterations = result.iterations;
   run.summary.throughput = result.throughput;
-  run.summary.last = history_row(run.model, steady_balance(run.model, run.execution));
+  run.summary.last =
+      history_row(run.model, steady_balance(run.model, result.round_off, run.execution));
   run.summary.last.step = 1;
   observer.on_history(run.summary.last);
   report_frame(setup, run, observer);

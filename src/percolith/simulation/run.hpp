@@ -20,8 +20,29 @@ struct RunState {
   Summary summary;
 };
 
-/// Throws InputError when a steady run has no pressure datum somewhere.
+/// Throws InputError when a steady run, or one that starts from a steady state, has no pressure
+/// datum somewhere.
 void require_datum(const Setup& setup, const seepage::Model& model);
+
+/// A step as a scheme made it.
+struct StepMade {
+  double size = 0.0;   ///< s
+  double asked = 0.0;  ///< s: what the scheme would have taken had no event been in the way
+  std::int64_t iterations = 0;
+  const char* limited_by = "";
+};
+
+/// What differs between the schemes that advance in time.
+struct TransientScheme {
+  /// Advances the model by one step that does not pass `event` (s) and returns it.
+  std::function<StepMade(double event)> make_step;
+  double history_interval = 0.0;          ///< s; 0: a row a step
+  std::int64_t steps_between_checks = 1;  ///< for values that are not numbers
+};
+
+/// The loop over steps, outputs and history that all transient runs share.
+void run_transient(const Setup& setup, RunState& run, Observer& observer,
+                   const std::function<bool()>& stop, const TransientScheme& scheme);
 
 /// One steady solution, reported as one frame.
 void run_steady(const Setup& setup, RunState& run, Observer& observer);
@@ -39,7 +60,8 @@ void run_explicit(const Setup& setup, RunState& run, Observer& observer,
 void report_frame(const Setup& setup, RunState& run, Observer& observer);
 /// Sends a row of history for the step that ended now.
 void report_history(RunState& run, double step_size, Observer& observer);
-/// Throws SolverError when the state holds a value that is not a number.
+/// Throws SolverError when the state holds a value that is not a number, or a node from which more
+/// fluid was taken than it held.
 void require_valid(const RunState& run);
 
 }  // namespace percolith::simulation

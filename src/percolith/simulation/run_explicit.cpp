@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/seepage/explicit_step.hpp"
 #include "percolith/seepage/step_limit.hpp"
-#include "percolith/simulation/event_clock.hpp"
 #include "percolith/simulation/run.hpp"
 #include "percolith/time/step_control.hpp"
 
@@ -20,13 +19,13 @@ struct Limit {
 
 Limit explicit_limit(const Setup& setup, const seepage::Model& model) {
   const auto limits = seepage::step_limits(seepage::make_flow_graph(model));
-  const double stable = setup.time.safety * limits.back().step;
+  const double stable = limits.empty() ? setup.time.end : setup.time.safety * limits.back().step;
   if (setup.time.step && *setup.time.step <= stable) {
     return {*setup.time.step, "given step"};
   }
   static constexpr const char* names[] = {"pore flow", "finite joints", "crack flow", "exchange"};
   for (const char* name : names) {
-    if (limits.front().mechanism == name) {
+    if (!limits.empty() && limits.front().mechanism == name) {
       return {stable, name};
     }
   }
@@ -39,40 +38,13 @@ void run_explicit(const Setup& setup, RunState& run, Observer& observer,
                   const std::function<bool()>& stop) {
   seepage::ExplicitStep scheme(run.model);
   const Limit limit = explicit_limit(setup, run.model);
-  const double end = setup.time.end;
-  const EventClock clock(setup.output, end);
-  HistoryClock history(setup.output.history_interval.value_or(end / 1000.0));
-  report_frame(setup, run, observer);
-  if (history.due(0.0)) {
-    report_history(run, 0.0, observer);
-  }
-  bool stopped = false;
-  while (run.model.state.time < end && !stopped) {
-    const double now = run.model.state.time;
-    const double output = clock.next_output(now);
-    const double event = std::min(output, run.model.conditions.next_break(now));
-    const double dt = step_towards(now, event, limit.step);
+  const auto make_step = [&](double event) -> StepMade {
+    const double dt = step_towards(run.model.state.time, event, limit.step);
     scheme.advance(run.model, dt, run.execution);
-    if (dt >= event - now) {
-      run.model.state.time = event;
-    }
-    ++run.summary.steps;
-    if (run.summary.steps % steps_between_checks == 0) {
-      require_valid(run);
-    }
-    stopped = stop();
-    const bool at_output = run.model.state.time == output || stopped;
-    if (at_output) {
-      require_valid(run);
-    }
-    if (history.due(run.model.state.time) || at_output) {
-      report_history(run, dt, observer);
-    }
-    if (at_output) {
-      report_frame(setup, run, observer);
-    }
-    observer.on_progress({run.model.state.time, end, dt, run.summary.steps, 0, limit.ruled_by});
-  }
+    return {dt, limit.step, 0, limit.ruled_by};
+  };
+  run_transient(setup, run, observer, stop,
+                {make_step, setup.time.end / 1000.0, steps_between_checks});
 }
 
 }  // namespace percolith::simulation

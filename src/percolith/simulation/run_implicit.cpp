@@ -2,13 +2,11 @@
 #include "percolith/core/error.hpp"
 #include "percolith/seepage/implicit_flow.hpp"
 #include "percolith/seepage/step_limit.hpp"
-#include "percolith/simulation/event_clock.hpp"
 #include "percolith/simulation/run.hpp"
 #include "percolith/time/step_control.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 
 namespace percolith::simulation {
@@ -41,17 +39,20 @@ StepControl make_control(const Setup& setup, const seepage::ImplicitFlow& flow) 
 [[noreturn]] void give_up(const RunState& run, double dt) {
   throw SolverError(fmt::format(
       "the implicit step found no solution at time {:.9g} s even with a step of {:.3g} s; the "
-      "results up to the last output are kept",
+      "results up to the last output are kept. Look for extreme values of permeability, aperture "
+      "or "
+      "rates, or for a rate that takes more fluid than there is",
       run.model.state.time, dt));
 }
 
-/// Tries steps until one is good, accepts it and returns its length; `event` is not overstepped.
-double make_step(RunState& run, seepage::ImplicitFlow& flow, StepControl& control, double event,
-                 double end) {
+/// Tries steps until one is good and accepts it; `event` is not overstepped.
+StepMade make_step(RunState& run, seepage::ImplicitFlow& flow, StepControl& control, double event,
+                   double end, const char* limited_by) {
   while (true) {
-    const double dt = step_towards(run.model.state.time, event, control.step());
+    const double asked = control.step();
+    const double dt = step_towards(run.model.state.time, event, asked);
     // An event close ahead may make a short step; only the step that is asked for means failure.
-    if (control.step() < smallest_share * end) {
+    if (asked < smallest_share * end) {
       give_up(run, dt);
     }
     const bool solved = flow.attempt(run.model, dt, run.execution);
@@ -60,7 +61,7 @@ double make_step(RunState& run, seepage::ImplicitFlow& flow, StepControl& contro
       control.failed(dt);
     } else if (control.judge(dt, flow.error())) {
       flow.accept(run.model);
-      return dt;
+      return {dt, asked, flow.iterations(), limited_by};
     }
     ++run.summary.rejected_steps;
   }
@@ -72,37 +73,10 @@ void run_implicit(const Setup& setup, RunState& run, Observer& observer,
                   const std::function<bool()>& stop) {
   seepage::ImplicitFlow flow(run.model);
   StepControl control = make_control(setup, flow);
-  const double end = setup.time.end;
-  const EventClock clock(setup.output, end);
-  HistoryClock history(setup.output.history_interval.value_or(0.0));
-  report_frame(setup, run, observer);
-  if (history.due(0.0)) {
-    report_history(run, 0.0, observer);
-  }
-  bool stopped = false;
-  while (run.model.state.time < end && !stopped) {
-    const double now = run.model.state.time;
-    const double output = clock.next_output(now);
-    const double event = std::min(output, run.model.conditions.next_break(now));
-    const double dt = make_step(run, flow, control, event, end);
-    if (dt >= event - now) {
-      run.model.state.time = event;
-    }
-    ++run.summary.steps;
-    require_valid(run);
-    stopped = stop();
-    const bool at_output = run.model.state.time == output || stopped;
-    if (history.due(run.model.state.time) || at_output) {
-      report_history(run, dt, observer);
-    }
-    if (at_output) {
-      report_frame(setup, run, observer);
-    }
-    observer.on_progress({run.model.state.time, end, dt, run.summary.steps, flow.iterations(),
-                          dt < control.step() ? "output time"
-                          : setup.time.step   ? "given step"
-                                              : "tolerance"});
-  }
+  const char* limited_by = setup.time.step ? "given step" : "tolerance";
+  run_transient(setup, run, observer, stop, {[&](double event) {
+                  return make_step(run, flow, control, event, setup.time.end, limited_by);
+                }});
 }
 
 }  // namespace percolith::simulation

@@ -21,7 +21,7 @@ namespace percolith::simulation {
 
 using seepage::PoreJoints;
 using seepage::SaturationWeight;
-/// How the flow is advanced in time (theory 3.5).
+/// How the flow is advanced in time (theory.md section 6).
 enum class Scheme { implicit, explicit_, steady };
 /// Which pressures a boundary condition or a point source acts on.
 enum class Domain { both, matrix, crack };
@@ -75,8 +75,10 @@ struct Source {
   friend bool operator==(const Source&, const Source&) = default;
 };
 
-/// State at time zero. At most one of pressure, head and water_table is given; none: pressure 0.
+/// State at time zero. At most one of pressure, head, water_table and steady is given; none:
+/// pressure 0.
 struct Initial {
+  bool steady = false;                     ///< the steady state under the conditions at time zero
   std::optional<double> pressure;          ///< Pa
   std::optional<double> head;              ///< m
   std::optional<double> water_table;       ///< m: y at which the hydrostatic pressure is zero

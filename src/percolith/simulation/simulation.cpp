@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/simulation/simulation.hpp"
 
-#include "percolith/core/error.hpp"
+#include "percolith/seepage/steady_flow.hpp"
 #include "percolith/simulation/build_model.hpp"
 #include "percolith/simulation/check_report.hpp"
+#include "percolith/simulation/event_clock.hpp"
 #include "percolith/simulation/run.hpp"
 
 #include <fmt/format.h>
@@ -21,6 +22,7 @@ struct Simulation::Model {
 };
 
 Simulation::Simulation(const Setup& setup, const mesh::GmshMesh& mesh) {
+  require_sensible_intervals(setup);
   seepage::Model model = build_model(setup, mesh);
   require_datum(setup, model);
   ProbeReader probes(setup.probe, model, setup.model.head_datum);
@@ -32,8 +34,14 @@ Simulation::Simulation(const Setup& setup, const mesh::GmshMesh& mesh) {
                      .in_place_at_start = 0.0,
                      .summary = {}},
             fracture_table_names(setup)});
+  if (setup.initial.steady) {
+    seepage::solve_steady(model_->run.model, model_->run.execution);
+  }
   model_->run.in_place_at_start = seepage::fluid_in_place(model_->run.model, model_->run.execution);
   model_->run.summary.warnings = model_warnings(setup, model_->run.model);
+  const std::vector<std::string>& left_out = model_->run.probes.warnings();
+  model_->run.summary.warnings.insert(model_->run.summary.warnings.end(), left_out.begin(),
+                                      left_out.end());
 }
 
 Simulation::~Simulation() = default;
@@ -41,7 +49,7 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 CheckReport Simulation::check() const {
-  return make_check_report(model_->setup, model_->run.model);
+  return make_check_report(model_->setup, model_->run.model, model_->run.summary.warnings);
 }
 
 bool Simulation::run(Observer& observer, const std::function<bool()>& stop) {

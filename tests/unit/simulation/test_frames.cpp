@@ -151,8 +151,9 @@ TEST(Probes, OnCracksAndWithHead) {
   test::Recorder recorder;
   test::run(setup, test::plain_mesh(), recorder);
   const ProbeSample& sample = recorder.probes.at(0).at(0);
-  EXPECT_EQ(sample.columns, (std::vector<std::string>{"pressure_Pa", "head_m", "saturation",
-                                                      "aperture_m", "flux_m2_per_s"}));
+  EXPECT_EQ(sample.columns,
+            (std::vector<std::string>{"pressure_Pa", "head_m", "saturation", "aperture_m",
+                                      "flux_x_m2_per_s", "flux_y_m2_per_s"}));
   EXPECT_EQ(sample.rows.at(0).place, (Point{0.52, 0.6}));
   EXPECT_NEAR(sample.rows[0].values[0], 9810.0 * (5.0 + 2.0 - 0.6), 1e-6);
   EXPECT_NEAR(sample.rows[0].values[2], 1.0, 0.0);
