@@ -32,8 +32,8 @@ void check_gmsh_mesh(const GmshMesh& mesh) {
   check_gmsh_indices(mesh);
   check_gmsh_coordinates(mesh);
   check_gmsh_areas(mesh);
-  check_gmsh_edges(mesh);
   check_gmsh_duplicate_points(mesh);
+  check_gmsh_edges(mesh);
 }
 
 void check_gmsh_indices(const GmshMesh& mesh) {

@@ -16,7 +16,7 @@ void check_gmsh_mesh(const GmshMesh& mesh);
 void check_gmsh_indices(const GmshMesh& mesh);
 void check_gmsh_coordinates(const GmshMesh& mesh);
 void check_gmsh_areas(const GmshMesh& mesh);
-void check_gmsh_edges(const GmshMesh& mesh);
 void check_gmsh_duplicate_points(const GmshMesh& mesh);
+void check_gmsh_edges(const GmshMesh& mesh);
 
 }  // namespace percolith::mesh

@@ -141,6 +141,17 @@ TEST(GmshChecks, FindsTwoPointsAtOnePlace) {
   EXPECT_EQ(problem(unjoined_squares(1e-6)), "no error");
 }
 
+TEST(GmshChecks, FindsTwoPointsAtOnePlaceBeforeTheCurveBetweenThem) {
+  GmshMesh mesh = unjoined_squares(0.0);
+  mesh.curves["fault"] = {{1, 7}};
+  const std::string found = problem(mesh);
+  EXPECT_EQ(found.rfind("two points of the mesh lie at (1, 0), so the triangles there", 0), 0U)
+      << found;
+  mesh = unjoined_squares(0.5);
+  mesh.curves["fault"] = {{1, 7}};
+  EXPECT_EQ(problem(mesh).rfind("an edge of physical curve 'fault' at (1.25, 0.5)", 0), 0U);
+}
+
 /// The answer of the hash table compared with that of all pairs, for points on both sides of the
 /// tolerance in every direction.
 TEST(GmshChecks, FindsClosePointsInEveryDirection) {
