@@ -27,6 +27,19 @@ bool shares_pressure(const seepage::Model& model, Index vertex) {
   });
 }
 
+/// What helps where two conditions prescribe different pressures at a vertex.
+std::string ways_to_agree(const seepage::Model& model, Index vertex) {
+  const auto joints = model.mesh.vertex_joints.row(vertex);
+  const bool has_crack =
+      std::any_of(joints.begin(), joints.end(), [&](Index j) { return model.cracks.is_broken(j); });
+  if (has_crack && !shares_pressure(model, vertex)) {
+    return "one pressure per place; end one of the groups an edge earlier, give both the same "
+           "value there, or limit a boundary table with on = \"matrix\" or \"crack\"";
+  }
+  return "one pressure per place; end one of the groups an edge earlier, or give both the same "
+         "value there";
+}
+
 /// The times at which two schedules must agree to agree always; a step function jumps, so just
 /// before a break counts too.
 std::set<double> decisive_times(const Schedule& a, const Schedule& b) {
@@ -112,8 +125,7 @@ void ConditionList::require_agreement(Index vertex, const NodeCondition& conditi
                                     "{:.6g} Pa (at time {:g} s)",
                                     a, p.x, p.y, conditions_.name[at(other.condition)],
                                     option_[at(other.condition)], b, std::max(t, 0.0)),
-                        "one pressure per place; end one of the groups an edge earlier, or give "
-                        "both the same value there"});
+                        ways_to_agree(*model_, vertex)});
     }
   }
 }

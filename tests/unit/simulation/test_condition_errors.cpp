@@ -115,7 +115,26 @@ TEST(ConditionErrors, CrackAndFacesThatShareOnePressureCannotBeGivenTwo) {
   setup.fracture["fault"].fracture.exchange = infinity;
   expect_refused(setup, "source.well.pressure",
                  "prescribes 20000 Pa at (0.5, 1), where boundary.roof.pressure prescribes 10000 "
-                 "Pa");
+                 "Pa (at time 0 s); allowed: one pressure per place; end one of the groups an edge "
+                 "earlier, or give both the same value there");
+}
+
+TEST(ConditionErrors, ABoundaryAndASourceMayPartMatrixAndCrack) {
+  simulation::Setup setup = plain_setup();
+  setup.boundary["roof"] = boundary("top");
+  setup.boundary.erase("inlet");
+  setup.boundary.erase("outlet");
+  setup.boundary["roof"].pressure = Schedule::constant(1e4);
+  setup.fracture["fault"] = test::fracture_group("upright", 1e-4, 1e-9);
+  setup.source["well"].fractures = {"fault"};
+  setup.source["well"].pressure = Schedule::constant(2e4);
+  expect_refused(setup, "source.well.pressure",
+                 "prescribes 20000 Pa at (0.5, 1), where boundary.roof.pressure prescribes 10000 "
+                 "Pa (at time 0 s); allowed: one pressure per place; end one of the groups an edge "
+                 "earlier, give both the same value there, or limit a boundary table with on = "
+                 "\"matrix\" or \"crack\"");
+  setup.boundary["roof"].on = Domain::matrix;
+  EXPECT_NO_THROW(Simulation(setup, test::plain_mesh()));
 }
 
 TEST(ConditionErrors, ASteadyRunNeedsAPressureSomewhere) {
