@@ -88,6 +88,19 @@ def test_a_value_that_is_no_number_ends_the_run(percolith, strip, tmp_path):
     assert "error: " + summary["reason"] in (tmp_path / "out/run.log").read_text()
 
 
+def test_too_little_memory_ends_the_run(percolith, strip, tmp_path):
+    def limit():
+        resource.setrlimit(resource.RLIMIT_AS, (2**30, 2**30))
+
+    line = "{ from = [0, 0], to = [1, 0], points = 1000000 }"
+    probes = [word for i in range(40) for word in ("--set", f"probe.line{i}={line}")]
+    done = percolith("run", strip, *SHORT, *probes, "--threads", "1", "--output", "out",
+                     preexec_fn=limit)
+    assert done.returncode == 3, (done.stdout, done.stderr)
+    assert done.stderr == ("error: not enough memory for this model; use a coarser mesh, fewer "
+                           "outputs, or a machine with more memory\n")
+
+
 def test_a_reader_that_has_gone_does_not_end_the_run(program, strip, tmp_path):
     process = subprocess.Popen([program, "run", strip, *SHORT], cwd=tmp_path,
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)

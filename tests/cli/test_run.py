@@ -165,6 +165,14 @@ def test_bad_input_leaves_no_folder(percolith, strip, tmp_path):
     assert not (tmp_path / "out").exists()
 
 
+def test_output_without_a_name(percolith, strip, tmp_path):
+    done = percolith("run", strip, *STEADY, "--output", "")
+    assert done.returncode == 2, done.stderr
+    assert done.stderr == ("error: --output: the name of the folder is empty; allowed: a new "
+                           "folder\n")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["strip"]
+
+
 def test_output_that_cannot_be_made(percolith, strip, tmp_path):
     (tmp_path / "file").write_text("")
     done = percolith("run", strip, *STEADY, "--output", "file/out")

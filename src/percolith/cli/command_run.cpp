@@ -13,9 +13,20 @@
 
 namespace percolith::cli {
 
+namespace {
+
+std::filesystem::path output_folder(const RunOptions& options) {
+  if (options.output && options.output->empty()) {
+    throw InputError({{}, "--output", "", "the name of the folder is empty", "a new folder"});
+  }
+  return options.output.value_or(io::RunDirectory::default_path(options.case_file));
+}
+
+}  // namespace
+
 int run(const RunOptions& options) {
   Interruption interruption;
-  const auto path = options.output.value_or(io::RunDirectory::default_path(options.case_file));
+  const auto path = output_folder(options);
   const io::Existing existing = options.force ? io::Existing::replace : io::Existing::refuse;
   io::RunDirectory::require_usable(path, existing);
   if (options.threads) {

@@ -43,7 +43,9 @@ int run_program(std::span<const std::string> arguments) noexcept {
     print_error(error);
     return static_cast<int>(error.exit_code());
   } catch (const std::bad_alloc&) {
-    print_error("not enough memory; use a coarser mesh or a machine with more memory");
+    print_error("not enough memory for this model; use a coarser mesh, fewer outputs, or a machine "
+                "with more memory");
+    return static_cast<int>(ExitCode::solver);
   } catch (const std::exception& error) {
     print_error(std::string("unexpected: ") + error.what() +
                 "; please report this with the case file");
