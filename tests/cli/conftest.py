@@ -59,7 +59,7 @@ def six_fractures(tmp_path) -> Path:
 
 
 STEADY = ("--set", "time.scheme=steady", "--set", "time.step=", "--set", "time.end=",
-          "--set", "output.times=")
+          "--set", "output.times=", "--set", "initial=")
 """Makes a short run of an example in time."""
 
 SHORT = ("--set", "time.step=1 ms")

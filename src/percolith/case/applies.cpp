@@ -59,6 +59,12 @@ const std::vector<Applicability> all{
        return setup.probe.at(name).from && setup.probe.at(name).to;
      },
      "from and to"},
+    {"initial.pressure", {"time.scheme"}, is_transient, transient},
+    {"initial.head", {"time.scheme"}, is_transient, transient},
+    {"initial.water_table", {"time.scheme"}, is_transient, transient},
+    {"initial.saturation", {"time.scheme"}, is_transient, transient},
+    {"initial.crack_pressure", {"time.scheme"}, is_transient, transient},
+    {"initial.crack_saturation", {"time.scheme"}, is_transient, transient},
     {"time.end", {"time.scheme"}, is_transient, transient},
     {"time.step", {"time.scheme"}, is_transient, transient},
     {"time.initial_step", {"time.scheme", "time.step"}, chooses_step, free_step},

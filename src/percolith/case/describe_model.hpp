@@ -64,8 +64,6 @@ void describe(V& option, simulation::Material& m) {
                   "[[kxx, kxy], [kxy, kyy]]; positive definite."});
   option(m.rock.porosity, Quantity{"porosity", "1", positive_fraction, Need::required,
                                    "Volume of pores over volume of rock."});
-  option(m.rock.biot_coefficient,
-         Quantity{"biot_coefficient", "1", positive_fraction, Need::optional, "Biot coefficient."});
   option(m.rock.biot_modulus,
          Quantity{"biot_modulus", "Pa", positive, Need::optional,
                   "Biot modulus: pressure per fluid content at constant volume.",

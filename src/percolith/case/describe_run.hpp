@@ -17,7 +17,7 @@ void describe(V& option, simulation::Stepping& m) {
                                   "implicit takes long, error-controlled steps; explicit takes "
                                   "small ones below its stability limit; steady finds the state "
                                   "that no longer changes."});
-  option(m.end, Quantity{"end", "s", not_negative, Need::optional,
+  option(m.end, Quantity{"end", "s", positive, Need::optional,
                          "Time at which the run ends. Needs implicit or explicit.",
                          "required unless steady"});
   option(m.step, Quantity{"step", "s", positive, Need::optional,

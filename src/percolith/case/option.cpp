@@ -24,9 +24,11 @@ std::string to_text(const Bounds& bounds, std::string_view unit) {
                        bounds.high, suffix);
   }
   if (has_low) {
-    text = fmt::format("{} {}{}", bounds.low_included ? ">=" : ">", bounds.low, suffix);
+    text = fmt::format("{}{} {}{}", bounds.high_included ? "" : "a finite number ",
+                       bounds.low_included ? ">=" : ">", bounds.low, suffix);
   } else if (has_high) {
-    text = fmt::format("{} {}{}", below, bounds.high, suffix);
+    text = fmt::format("{}{} {}{}", bounds.low_included ? "" : "a finite number ", below,
+                       bounds.high, suffix);
   } else {
     text = unit == "1" ? "a finite number" : fmt::format("a finite number of {}", unit);
   }

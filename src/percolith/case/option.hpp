@@ -36,7 +36,8 @@ inline constexpr Bounds not_negative_or_infinite{0.0, infinite, true, true};
 inline constexpr Bounds fraction{0.0, 1.0, true, true};
 inline constexpr Bounds positive_fraction{0.0, 1.0, false, true};
 
-/// The interval in words, with the unit: `> 0 m2`, `0 <= value <= 1`, `>= 0 m or inf`.
+/// The interval in words, with the unit: `a finite number > 0 m2`, `0 <= value <= 1`,
+/// `>= 0 m or inf`.
 [[nodiscard]] std::string to_text(const Bounds& bounds, std::string_view unit);
 
 /// A number with a unit, or several: the member may be a number, an optional number, a list, a

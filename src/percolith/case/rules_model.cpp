@@ -62,7 +62,7 @@ void check_materials(Rules& rules) {
     if (!is_positive_definite(k)) {
       rules.fail(path + ".permeability", {},
                  scalar ? "out of range" : "the tensor is not positive definite",
-                 scalar ? "> 0 m2" : "kxx > 0, kyy > 0 and kxx kyy > kxy^2");
+                 scalar ? to_text(positive, "m2") : "kxx > 0, kyy > 0 and kxx kyy > kxy^2");
     }
   }
 }

@@ -14,11 +14,9 @@ using simulation::Scheme;
 
 void check_time(Rules& rules) {
   const simulation::Stepping& time = rules.setup().time;
-  if (time.scheme != Scheme::steady && time.end <= 0.0) {
-    rules.fail("time.end", {"time.scheme"},
-               rules.given("time.end") ? "a run over time ends after time 0"
-                                       : "required but missing: the time at which the run ends",
-               "> 0 s, or time.scheme = \"steady\"");
+  if (time.scheme != Scheme::steady && !rules.given("time.end")) {
+    rules.fail("time.end", {"time.scheme"}, "required but missing: the time at which the run ends",
+               to_text(positive, "s") + ", or time.scheme = \"steady\"");
   }
   if (time.initial_step && time.maximum_step && *time.initial_step > *time.maximum_step) {
     rules.fail("time.initial_step", {"time.maximum_step"}, "greater than maximum_step",

@@ -47,16 +47,7 @@ void check_partial(Rules& rules, const std::string& key, const std::optional<dou
   }
 }
 
-}  // namespace
-
-void check_saturation(Rules& rules) {
-  for (const auto& [name, condition] : rules.setup().boundary) {
-    check_pressure(rules, "boundary." + name + ".pressure", condition.pressure);
-    check_pressure(rules, "boundary." + name + ".seepage_face", condition.seepage_face);
-  }
-  for (const auto& [name, source] : rules.setup().source) {
-    check_pressure(rules, "source." + name + ".pressure", source.pressure);
-  }
+void check_initial_saturation(Rules& rules) {
   const Initial& initial = rules.setup().initial;
   if (!initial.head && !initial.water_table) {
     check_pressure(rules, "initial.pressure", initial.pressure.value_or(0.0));
@@ -68,6 +59,21 @@ void check_saturation(Rules& rules) {
                 initial.pressure);
   check_partial(rules, "initial.crack_saturation", initial.crack_saturation,
                 "initial.crack_pressure", initial.crack_pressure);
+}
+
+}  // namespace
+
+void check_saturation(Rules& rules) {
+  for (const auto& [name, condition] : rules.setup().boundary) {
+    check_pressure(rules, "boundary." + name + ".pressure", condition.pressure);
+    check_pressure(rules, "boundary." + name + ".seepage_face", condition.seepage_face);
+  }
+  for (const auto& [name, source] : rules.setup().source) {
+    check_pressure(rules, "source." + name + ".pressure", source.pressure);
+  }
+  if (rules.setup().time.scheme != simulation::Scheme::steady) {
+    check_initial_saturation(rules);
+  }
 }
 
 }  // namespace percolith::case_file

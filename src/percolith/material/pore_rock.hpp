@@ -11,7 +11,6 @@ namespace percolith::material {
 struct PoreRock {
   Tensor permeability{1e-15, 1e-15, 0.0};  ///< k, m2
   double porosity = 0.1;                   ///< phi, 1
-  double biot_coefficient = 1.0;           ///< alpha, 1
   /// M, Pa; when absent K_w/phi (rigid grains and pores filled with the fluid).
   std::optional<double> biot_modulus;
   friend bool operator==(const PoreRock&, const PoreRock&) = default;

@@ -95,7 +95,6 @@ private:
       const double yy = flip() ? xx : xx * fraction();
       material.rock.permeability = {xx, yy, flip() ? 0.0 : 0.9 * std::sqrt(xx * yy) * fraction()};
       material.rock.porosity = fraction();
-      material.rock.biot_coefficient = fraction();
       if (flip()) {
         material.rock.biot_modulus = positive();
       }
@@ -159,6 +158,12 @@ private:
         source.rate = schedule(1e3);
       }
     }
+    if (!steady_) {
+      make_initial(setup, cracks);
+    }
+  }
+
+  static void make_initial(simulation::Setup& setup, bool cracks) {
     if (flip()) {
       setup.initial.pressure = any();
     } else if (setup.model.gravity > 0.0) {

@@ -47,7 +47,7 @@ TEST(Overrides, Errors) {
 
 TEST(Overrides, StandBesideErrorsOfTheFile) {
   EXPECT_EQ(error_with("safety = 0.5\n", {"model.gravity=-1"}),
-            "--set: error: model.gravity = -1: out of range; allowed: >= 0 m/s2\n"
+            "--set: error: model.gravity = -1: out of range; allowed: a finite number >= 0 m/s2\n"
             "case.toml:20:10: error: time.safety = 0.5: has no effect here: it needs time.scheme = "
             "\"explicit\"");
 }

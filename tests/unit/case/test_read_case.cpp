@@ -32,7 +32,6 @@ cavitation_pressure = "-inf"
 regions = ["rock", "cover"]
 permeability = ["10 mdarcy", 1e-14, 0]
 porosity = "10 %"
-biot_coefficient = 0.8
 biot_modulus = "20 GPa"
 
 [fracture.fault]
@@ -113,7 +112,6 @@ TEST(ReadCase, FillsEveryMember) {
   EXPECT_EQ(rock.rock.permeability.yy, 1e-14);
   EXPECT_EQ(rock.rock.permeability.xy, 0.0);
   EXPECT_DOUBLE_EQ(rock.rock.porosity, 0.1);
-  EXPECT_EQ(rock.rock.biot_coefficient, 0.8);
   EXPECT_EQ(rock.rock.biot_modulus, 2e10);
   const material::Fracture& fault = setup.fracture.at("fault").fracture;
   EXPECT_EQ(setup.fracture.at("fault").groups, std::vector<std::string>{"fault_1"});

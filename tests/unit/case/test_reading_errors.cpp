@@ -72,6 +72,12 @@ TEST(ReadingErrors, NoSuchChoice) {
             "\"explicit\", \"steady\"");
 }
 
+TEST(ReadingErrors, AnOptionOfMechanicsIsUnknown) {
+  EXPECT_EQ(error_set({"material.rock.biot_coefficient=0.8"}),
+            "--set: error: material.rock.biot_coefficient: unknown option; allowed: \"regions\", "
+            "\"permeability\", \"porosity\", \"biot_modulus\"");
+}
+
 TEST(ReadingErrors, WholeNumbers) {
   const std::string probe = "[probe.line]\nfrom = [0, 0]\nto = [1, 0]\npoints = ";
   EXPECT_EQ(error_with(probe + "1.5\n"),
@@ -115,17 +121,19 @@ TEST(ReadingErrors, WrongDimensionNamesTheRightOne) {
 TEST(ReadingErrors, OutOfRange) {
   EXPECT_EQ(error_set({"material.rock.porosity=1.5"}),
             "--set: error: material.rock.porosity = 1.5: out of range; allowed: 0 < value <= 1");
-  EXPECT_EQ(error_set({"fluid.viscosity=-1 cP"}),
-            "--set: error: fluid.viscosity = \"-1 cP\": out of range; allowed: > 0 Pa s");
+  EXPECT_EQ(
+      error_set({"fluid.viscosity=-1 cP"}),
+      "--set: error: fluid.viscosity = \"-1 cP\": out of range; allowed: a finite number > 0 Pa s");
   EXPECT_EQ(error_set({"fluid.viscosity=inf"}),
-            "--set: error: fluid.viscosity = inf: out of range; allowed: > 0 Pa s");
+            "--set: error: fluid.viscosity = inf: out of range; allowed: a finite number > 0 Pa s");
   EXPECT_EQ(error_set({"fluid.viscosity=nan"}),
-            "--set: error: fluid.viscosity = nan: not a number; allowed: > 0 Pa s");
+            "--set: error: fluid.viscosity = nan: not a number; allowed: a finite number > 0 Pa s");
   EXPECT_EQ(error_set({"fluid.cavitation_pressure=inf"}),
             "--set: error: fluid.cavitation_pressure = inf: out of range; allowed: a finite number "
             "of Pa or -inf");
-  EXPECT_EQ(error_set({"model.gravity=-9.81"}),
-            "--set: error: model.gravity = -9.81: out of range; allowed: >= 0 m/s2");
+  EXPECT_EQ(
+      error_set({"model.gravity=-9.81"}),
+      "--set: error: model.gravity = -9.81: out of range; allowed: a finite number >= 0 m/s2");
 }
 
 TEST(ReadingErrors, MissingOptionsSayWhatTheyAre) {

@@ -43,7 +43,9 @@ TEST(Rules, Materials) {
 
 TEST(Rules, PermeabilityIsPositiveDefinite) {
   EXPECT_EQ(error_set({"material.rock.permeability=-1e-15"}),
-            "--set: error: material.rock.permeability = -1e-15: out of range; allowed: > 0 m2");
+            "--set: error: material.rock.permeability = -1e-15: out of range; allowed: a finite "
+            "number > 0 "
+            "m2");
   EXPECT_EQ(error_set({"material.rock.permeability=[1e-15, 1e-15, 2e-15]"}),
             "--set: error: material.rock.permeability = [1e-15, 1e-15, 2e-15]: the tensor is not "
             "positive definite; allowed: kxx > 0, kyy > 0 and kxx kyy > kxy^2");
@@ -159,6 +161,10 @@ TEST(Rules, NoPressureBelowCavitation) {
       "case.toml: error: initial.pressure: 0 Pa is below the cavitation pressure; allowed: >= "
       "1000 Pa, or a lower fluid.cavitation_pressure");
   EXPECT_EQ(error_set({"boundary.left.pressure=-1 kPa", "fluid.cavitation_pressure=-inf"}), "");
+  // A steady run has no initial pressure that could be too low.
+  EXPECT_EQ(error_set({"fluid.cavitation_pressure=1 kPa", "boundary.left.pressure=2 kPa",
+                       "time.scheme=steady", "time.end="}),
+            "");
 }
 
 TEST(Rules, PartlyFilledVoidsHaveTheCavitationPressure) {
@@ -181,10 +187,11 @@ TEST(Rules, EndIsRequiredUnlessSteady) {
   EXPECT_EQ(
       error_set({"time.end="}),
       "case.toml:18:2: error: time.end: required but missing: the time at which the run ends; "
-      "allowed: > 0 s, or time.scheme = \"steady\"");
-  EXPECT_EQ(error_set({"time.end=0"}),
-            "--set: error: time.end = 0: a run over time ends after time 0; allowed: > 0 s, or "
-            "time.scheme = \"steady\"");
+      "allowed: a finite number > 0 s, or time.scheme = \"steady\"");
+  for (const std::string end : {"0", "-2", "inf", "-inf"}) {
+    EXPECT_EQ(error_set({"time.end=" + end}),
+              "--set: error: time.end = " + end + ": out of range; allowed: a finite number > 0 s");
+  }
   EXPECT_EQ(error_set({"time.end=", "time.scheme=steady"}), "");
   EXPECT_EQ(
       error_set({"time.scheme=steady"}),
@@ -213,6 +220,19 @@ TEST(Rules, OptionsOfAnotherScheme) {
       error_set({"model.joint_factor=3"}),
       "--set: error: model.joint_factor = 3: has no effect here: it needs model.pore_joints = "
       "\"finite\"");
+}
+
+TEST(Rules, ASteadyRunHasNoInitialState) {
+  for (const std::string option :
+       {"pressure", "head", "water_table", "saturation", "crack_pressure", "crack_saturation"}) {
+    std::vector<std::string> settings =
+        with_fault({"model.gravity=9.81", "initial." + option + "=1"});
+    EXPECT_EQ(error_set(settings), "") << option;
+    settings.insert(settings.end(), {"time.end=", "time.scheme=steady"});
+    EXPECT_EQ(error_set(settings), "--set: error: initial." + option +
+                                       " = 1: has no effect here: it needs time.scheme = "
+                                       "\"implicit\" or \"explicit\"");
+  }
 }
 
 TEST(Rules, ARuleIsSilentAboutAnOptionThatIsWrongItself) {
