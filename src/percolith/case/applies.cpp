@@ -25,7 +25,12 @@ bool is_transient(const Setup& setup, const std::string& /*name*/) {
   return setup.time.scheme != Scheme::steady;
 }
 
+bool chooses_state(const Setup& setup, const std::string& name) {
+  return is_transient(setup, name) && !setup.initial.steady;
+}
+
 const std::string transient = "time.scheme = \"implicit\" or \"explicit\"";
+const std::string free_state = transient + " without initial.steady";
 const std::string free_step = "time.scheme = \"implicit\" without time.step";
 
 const std::vector<Applicability> all{
@@ -59,12 +64,13 @@ const std::vector<Applicability> all{
        return setup.probe.at(name).from && setup.probe.at(name).to;
      },
      "from and to"},
-    {"initial.pressure", {"time.scheme"}, is_transient, transient},
-    {"initial.head", {"time.scheme"}, is_transient, transient},
-    {"initial.water_table", {"time.scheme"}, is_transient, transient},
-    {"initial.saturation", {"time.scheme"}, is_transient, transient},
-    {"initial.crack_pressure", {"time.scheme"}, is_transient, transient},
-    {"initial.crack_saturation", {"time.scheme"}, is_transient, transient},
+    {"initial.steady", {"time.scheme"}, is_transient, transient},
+    {"initial.pressure", {"time.scheme", "initial.steady"}, chooses_state, free_state},
+    {"initial.head", {"time.scheme", "initial.steady"}, chooses_state, free_state},
+    {"initial.water_table", {"time.scheme", "initial.steady"}, chooses_state, free_state},
+    {"initial.saturation", {"time.scheme", "initial.steady"}, chooses_state, free_state},
+    {"initial.crack_pressure", {"time.scheme", "initial.steady"}, chooses_state, free_state},
+    {"initial.crack_saturation", {"time.scheme", "initial.steady"}, chooses_state, free_state},
     {"time.end", {"time.scheme"}, is_transient, transient},
     {"time.step", {"time.scheme"}, is_transient, transient},
     {"time.initial_step", {"time.scheme", "time.step"}, chooses_step, free_step},

@@ -28,8 +28,9 @@ void describe(V& option, simulation::Setup& m) {
                                  "pressure, head, flux and seepage_face."});
   option(m.source, NamedTables{"source", "Fluid brought in at a point or along fractures: exactly "
                                          "one of rate and pressure."});
-  option(m.initial, Table{"initial", "The state at time zero: at most one of pressure, head and "
-                                     "water_table. Needs time.scheme implicit or explicit."});
+  option(m.initial,
+         Table{"initial", "The state at time zero: at most one of pressure, head, "
+                          "water_table and steady. Needs time.scheme implicit or explicit."});
   option(m.time, Table{"time", "How the flow is advanced in time."});
   option(m.output, Table{"output", "When and what is written."});
   option(m.probe, NamedTables{"probe", "Values written over time, at a point or on a line."});

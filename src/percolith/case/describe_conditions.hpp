@@ -52,6 +52,8 @@ void describe(V& option, simulation::Source& m) {
 
 template <class V>
 void describe(V& option, simulation::Initial& m) {
+  option(m.steady, Flag{"steady", "Whether the run starts from the steady state under the "
+                                  "conditions at time 0."});
   option(m.pressure, Quantity{"pressure", "Pa", finite, Need::optional, "One pressure everywhere.",
                               "0 where no head or water table is given"});
   option(m.head, Quantity{"head", "m", finite, Need::optional,

@@ -71,7 +71,9 @@ void check_saturation(Rules& rules) {
   for (const auto& [name, source] : rules.setup().source) {
     check_pressure(rules, "source." + name + ".pressure", source.pressure);
   }
-  if (rules.setup().time.scheme != simulation::Scheme::steady) {
+  const bool starts_steady =
+      rules.setup().time.scheme == simulation::Scheme::steady || rules.setup().initial.steady;
+  if (!starts_steady) {
     check_initial_saturation(rules);
   }
 }

@@ -164,6 +164,10 @@ private:
   }
 
   static void make_initial(simulation::Setup& setup, bool cracks) {
+    if (flip() && flip()) {
+      setup.initial.steady = true;
+      return;
+    }
     if (flip()) {
       setup.initial.pressure = any();
     } else if (setup.model.gravity > 0.0) {

@@ -231,8 +231,19 @@ TEST(Rules, ASteadyRunHasNoInitialState) {
     settings.insert(settings.end(), {"time.end=", "time.scheme=steady"});
     EXPECT_EQ(error_set(settings), "--set: error: initial." + option +
                                        " = 1: has no effect here: it needs time.scheme = "
-                                       "\"implicit\" or \"explicit\"");
+                                       "\"implicit\" or \"explicit\" without "
+                                       "initial.steady");
   }
+  EXPECT_EQ(error_set({"initial.steady=true", "time.end=", "time.scheme=steady"}),
+            "--set: error: initial.steady = true: has no effect here: it needs time.scheme = "
+            "\"implicit\" or \"explicit\"");
+}
+
+TEST(Rules, ASteadyStartTakesNoOtherInitialState) {
+  EXPECT_EQ(error_set({"initial.steady=true"}), "");
+  EXPECT_EQ(error_set({"initial.steady=true", "initial.pressure=1"}),
+            "--set: error: initial.pressure = 1: has no effect here: it needs time.scheme = "
+            "\"implicit\" or \"explicit\" without initial.steady");
 }
 
 TEST(Rules, ARuleIsSilentAboutAnOptionThatIsWrongItself) {
