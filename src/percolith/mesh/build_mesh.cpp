@@ -12,10 +12,6 @@
 namespace percolith::mesh {
 namespace {
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// A directed edge of a triangle: local corner k to k + 1.
 struct Side {
   std::uint64_t key;  // both vertices, the smaller one first

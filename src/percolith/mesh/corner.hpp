@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/core/index.hpp"
 #include "percolith/core/simd.hpp"
 
 #include <cstdint>
@@ -9,7 +10,7 @@
 // local corner of eight consecutive triangles lies in eight consecutive slots (AoSoA-8).
 namespace percolith::mesh {
 
-using Index = std::int32_t;
+using percolith::Index;
 inline constexpr Index none = -1;
 inline constexpr Index corners_per_block = 3 * block_width;
 

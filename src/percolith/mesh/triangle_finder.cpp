@@ -9,10 +9,6 @@
 namespace percolith::mesh {
 namespace {
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// Weights below zero by less than this are round-off.
 constexpr double tolerance = 1e-10;
 

@@ -7,10 +7,6 @@
 namespace percolith::seepage {
 namespace {
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 double pressure_of(const GraphState& state, Index node) {
   return state.pressure[at(node)] + state.change[at(node)];
 }

@@ -7,10 +7,6 @@
 namespace percolith::seepage {
 namespace {
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 void set_crack_properties(Model& model, Index joint, Index group) {
   const material::Fracture& fracture = model.fracture[at(group)];
   const double length = model.mesh.joint_length(joint);

@@ -11,10 +11,6 @@
 namespace percolith::seepage {
 namespace {
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 double donor_weight(double flow_into_first, double s_first, double s_second) {
   return saturation_weight(flow_into_first > 0.0 ? s_second : s_first);
 }

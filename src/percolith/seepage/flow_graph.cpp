@@ -6,10 +6,6 @@
 namespace percolith::seepage {
 namespace {
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// Potential difference from node a to node b, Pa, as differences of what is equal in size.
 double potential_difference(const FlowGraph& graph, const GraphState& state, Index a, Index b) {
   return ((state.pressure[at(a)] - state.pressure[at(b)]) +

@@ -4,10 +4,6 @@
 namespace percolith::seepage {
 namespace {
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 template <class NodeOf, class VertexOf>
 void add_once(const std::vector<NodeCondition>& from, const NodeOf& node_of,
               const VertexOf& vertex_of, std::vector<std::uint8_t>& taken,

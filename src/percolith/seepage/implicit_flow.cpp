@@ -8,10 +8,6 @@
 namespace percolith::seepage {
 namespace {
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 constexpr int most_iterations = 60;
 constexpr double saturation_tolerance = 1e-9;
 /// A front that fills a void is resolved by the mesh, not by the step: an error of saturation

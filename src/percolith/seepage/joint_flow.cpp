@@ -4,10 +4,6 @@
 namespace percolith::seepage {
 namespace {
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// Where the entry of a joint stands for each of its sides: the first triangle walks the edge from
 /// end 0 to end 1, the second the other way round.
 std::array<Index, 2> edge_slots(const mesh::Joint& joint) {

@@ -8,10 +8,6 @@
 namespace percolith::seepage {
 namespace {
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 bool shares_pressure(const Model& model, Index joint) {
   return model.cracks.is_broken(joint) && std::isinf(model.crack.exchange[at(joint)]);
 }

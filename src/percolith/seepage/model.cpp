@@ -11,10 +11,6 @@
 namespace percolith::seepage {
 namespace {
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// Edge of the equilateral triangle with the area of triangle `t`: its element size, m.
 double element_size(const mesh::Mesh& mesh, Index t) {
   return 2.0 * std::sqrt(mesh.area(t) / std::sqrt(3.0));

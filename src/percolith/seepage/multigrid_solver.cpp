@@ -19,10 +19,6 @@ constexpr int most_iterations = 500;
 /// Below this share of the right-hand side round-off hides the residual.
 constexpr double smallest_tolerance = 1e-14;
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// MPI and hypre want to be started once per process and ended at its exit.
 void start_hypre() {
   int started = 0;

@@ -8,10 +8,6 @@
 namespace percolith::seepage {
 namespace {
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 // By how much an iterative solver reduces the residual before the refinement, and in the end
 // (docs/decisions/refinement.md).
 constexpr double first_reduction = 1e-7;

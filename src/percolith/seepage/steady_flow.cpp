@@ -16,10 +16,6 @@
 namespace percolith::seepage {
 namespace {
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 constexpr int most_iterations = 200;
 
 void refuse_suction(const Model& model, const FlowGraph& graph, const GraphState& state) {

@@ -7,10 +7,6 @@
 namespace percolith::seepage {
 namespace {
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 FlowLimit limit_of(const FlowGraph& graph, const char* mechanism, Index first, Index last) {
   std::vector<double> sum(graph.storage.size(), 0.0);
   for (Index e = first; e < last; ++e) {

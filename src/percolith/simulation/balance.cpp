@@ -13,10 +13,6 @@ namespace {
 
 using mesh::Index;
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 }  // namespace
 
 MassBalance mass_balance(const seepage::Model& model, double in_place_at_start,

@@ -15,10 +15,6 @@ namespace {
 
 using mesh::Index;
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 std::vector<Index> vertices_of(const mesh::Mesh& mesh, const std::vector<Index>& edges) {
   std::vector<Index> vertices;
   for (const Index e : edges) {

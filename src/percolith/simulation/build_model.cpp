@@ -14,10 +14,6 @@ namespace {
 
 using mesh::Index;
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// The material of every region; each region has exactly one.
 std::vector<material::PoreRock> rock_of_regions(const Setup& setup, const mesh::Mesh& mesh) {
   std::vector<material::PoreRock> rock(mesh.region_names.size());

@@ -18,10 +18,6 @@ namespace {
 
 using mesh::Index;
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 double angle_at(const std::array<Point, 3>& p, std::size_t k) {
   const Point a = p[(k + 1) % 3] - p[k];
   const Point b = p[(k + 2) % 3] - p[k];

@@ -15,10 +15,6 @@ namespace {
 using mesh::Index;
 using seepage::NodeCondition;
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// Whether crack and facing pores at a vertex have one pressure by infinite exchange.
 bool shares_pressure(const seepage::Model& model, Index vertex) {
   const auto joints = model.mesh.vertex_joints.row(vertex);

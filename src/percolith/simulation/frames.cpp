@@ -9,10 +9,6 @@ namespace {
 
 using mesh::Index;
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 }  // namespace
 
 std::array<double, 3> triangle_flows(const seepage::Model& model, Index triangle) {

@@ -10,10 +10,6 @@ namespace {
 
 using mesh::Index;
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 std::vector<Point> points_of(const Probe& probe) {
   if (probe.point) {
     return {{(*probe.point)[0], (*probe.point)[1]}};
