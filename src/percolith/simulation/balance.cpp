@@ -9,12 +9,6 @@
 #include <cmath>
 
 namespace percolith::simulation {
-namespace {
-
-using mesh::Index;
-
-}  // namespace
-
 MassBalance mass_balance(const seepage::Model& model, double in_place_at_start,
                          const Execution& execution) {
   MassBalance balance;

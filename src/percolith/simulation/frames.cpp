@@ -5,12 +5,6 @@
 #include "percolith/seepage/pore_flow.hpp"
 
 namespace percolith::simulation {
-namespace {
-
-using mesh::Index;
-
-}  // namespace
-
 std::array<double, 3> triangle_flows(const seepage::Model& model, Index triangle) {
   const seepage::State& s = model.state;
   std::array<double, 3> flow{};
