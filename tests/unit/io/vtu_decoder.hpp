@@ -59,7 +59,9 @@ public:
       block_at += compressed;
     }
     std::vector<T> values(bytes.size() / sizeof(T));
-    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+    if (!values.empty()) {
+      std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+    }
     return values;
   }
 
