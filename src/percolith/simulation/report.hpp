@@ -6,22 +6,34 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 // What a simulation tells the outside: plain values in SI units, copied out of its state.
 namespace percolith::simulation {
+
+/// A further quantity of a frame, one value a point or a cell; the unit is part of the name
+/// (`displacement_m`). A `Point` is a vector.
+struct FrameField {
+  std::string name;
+  std::variant<std::vector<double>, std::vector<std::int32_t>, std::vector<Point>> values;
+};
 
 /// The matrix as a picture sees it: one point per pore node, so that a pressure that jumps across
 /// a crack is two points at one place.
 struct MatrixFrame {
   std::vector<Point> points;                           ///< m
   std::vector<std::array<std::int32_t, 3>> triangles;  ///< indices into points
-  std::vector<std::int32_t> region;  ///< per triangle, index into the region names
-  std::vector<double> pressure;      ///< Pa, per point
-  std::vector<double> head;          ///< m, per point; empty without gravity
-  std::vector<double> saturation;    ///< 1, per point
-  std::vector<Point> flux;           ///< Darcy flux, m/s, per triangle
+  std::vector<std::int32_t> region;      ///< per triangle, index into the region names
+  std::vector<double> pressure;          ///< Pa, per point; empty without flow
+  std::vector<double> head;              ///< m, per point; empty without gravity or flow
+  std::vector<double> saturation;        ///< 1, per point; empty without flow
+  std::vector<Point> flux;               ///< Darcy flux, m/s, per triangle; empty without flow
+  std::vector<FrameField> point_fields;  ///< displacement, velocity
+  std::vector<FrameField> cell_fields;   ///< stress, strain, damage, ...
 };
 
 /// The open cracks as a line mesh: one point per open crack node, one segment per broken joint.
@@ -34,6 +46,7 @@ struct CrackFrame {
   std::vector<double> saturation;                     ///< 1, per point
   std::vector<double> aperture;                       ///< m, per segment
   std::vector<double> flux;  ///< m2/s per segment, positive from its first to its second point
+  std::vector<FrameField> cell_fields;  ///< opening, slip, mode, time of breakage, ...
 };
 
 /// One moment of the field series.
@@ -72,6 +85,24 @@ struct MassBalance {
   std::map<std::string, double> by_condition;
 };
 
+/// How a joint broke.
+enum class BreakMode { tensile = 1, shear = 2, mixed = 3 };
+
+/// A joint that broke: what users call an acoustic emission.
+struct BreakEvent {
+  double time = 0.0;  ///< s
+  std::int64_t step = 0;
+  Point place;  ///< m, middle of the joint, undeformed
+  BreakMode mode = BreakMode::tensile;
+  double length = 0.0;           ///< m
+  double released_energy = 0.0;  ///< J/m: spent in the joint since its peak
+  double magnitude = 0.0;  ///< 2/3 (log10 of the released energy in J, of 1 m thickness - 4.8)
+  std::string material;    ///< material or fracture table whose strengths the joint had
+};
+
+/// A named number of a history row; the unit is part of the name.
+using NamedValue = std::pair<std::string, double>;
+
 /// One row of the history.
 struct HistoryRow {
   double time = 0.0;
@@ -83,13 +114,17 @@ struct HistoryRow {
   MassBalance balance;
   /// Current rate into the model of each condition, m2/s, by its option path.
   std::map<std::string, double> rate;
+  /// What mechanics has to tell, in the order of the columns; empty in a run of flow alone, where
+  /// the members above are: energies, work, reactions, numbers of broken joints and fragments.
+  std::vector<NamedValue> mechanics;
 };
 
 /// Where the run stands after a step; cheap, sent every step.
 struct Progress {
   double time = 0.0, end = 0.0, step_size = 0.0;  ///< s
   std::int64_t step = 0;
-  std::int64_t iterations = 0;  ///< of the last implicit step
+  std::int64_t iterations = 0;                ///< of the last implicit step
+  std::optional<std::int64_t> broken_joints;  ///< in mechanics
   const char* limited_by =
       "";  ///< what rules the step: "tolerance", "pore flow", "crack flow", ...
 };
@@ -102,8 +137,11 @@ struct Summary {
   std::int64_t iterations = 0;
   std::map<std::string, double> wall_time;  ///< s per phase
   HistoryRow last;
-  double throughput = 0.0;  ///< m2/s that enter, in the last step or in steady state
-  std::string state_hash;   ///< of pressures, saturations and contents
+  double throughput = 0.0;    ///< m2/s that enter, in the last step or in steady state
+  std::string state_hash;     ///< of all that the state of the run consists of
+  bool reached_rest = false;  ///< mechanics ended by `time.stop_ratio`
+  /// Named results of mechanics: energy balance, fragments, b-value, added mass.
+  std::vector<NamedValue> mechanics;
   std::vector<std::string> warnings;
 };
 
@@ -116,12 +154,15 @@ public:
   virtual void on_history(const HistoryRow&) {}
   virtual void on_frame(const Frame&) {}
   virtual void on_probes(double /*time*/, const std::vector<ProbeSample>&) {}
+  /// Joints that broke since the last call, in the order of time.
+  virtual void on_events(const std::vector<BreakEvent>&) {}
   virtual void on_warning(const std::string&) {}
 };
 
 /// A limit of the explicit time step: that of one mechanism, or of all of them together.
 struct StepLimit {
-  /// "pore flow", "finite joints", "crack flow", "exchange", "all together"
+  /// "pore flow", "finite joints", "crack flow", "exchange"; in mechanics "triangles", "joints",
+  /// "contact", "viscosity"; "all together"
   std::string mechanism;
   double step = 0.0;  ///< s
   Point place;        ///< m: where it is smallest
@@ -141,6 +182,9 @@ struct CheckReport {
   /// One per mechanism of the model, smallest first; the last, "all together", counts every
   /// mechanism at once and is the one that rules.
   std::vector<StepLimit> limits;
+  /// Mechanics: numbers worth knowing before a run, `name` with its unit (cohesive length over
+  /// element size, apparent modulus, bodies, added mass); empty in a run of flow alone.
+  std::vector<NamedValue> mechanics;
   std::vector<std::string> warnings;
 };
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "percolith/core/vec2.hpp"
+#include "percolith/material/elastic_rock.hpp"
 #include "percolith/material/fluid.hpp"
 #include "percolith/material/fracture.hpp"
+#include "percolith/material/joint_strength.hpp"
 #include "percolith/material/pore_rock.hpp"
 #include "percolith/seepage/options.hpp"
 #include "percolith/time/schedule.hpp"
@@ -19,8 +21,15 @@
 // `boundary.left.pressure`), so that an error raised anywhere can name its option.
 namespace percolith::simulation {
 
+using material::Plane;
 using seepage::PoreJoints;
 using seepage::SaturationWeight;
+/// What is computed: flow through a rock at rest, or the motion of a dry rock.
+enum class Physics { seepage, mechanics };
+/// Whether the joints of a region may break, or its triangles share nodes and stay bonded.
+enum class RockJoints { breakable, elastic };
+/// Whether a fracture is broken from the start, or bonded with strengths of its own.
+enum class Bond { broken, cohesive };
 /// How the flow is advanced in time (theory.md section 6).
 enum class Scheme { implicit, explicit_, steady };
 /// Which pressures a boundary condition or a point source acts on.
@@ -33,6 +42,8 @@ struct MeshOptions {
 };
 
 struct Model {
+  Physics physics = Physics::seepage;
+  Plane plane = Plane::strain;
   double gravity = 9.81;    ///< m/s2, along -y
   double head_datum = 0.0;  ///< m: elevation from which head is measured
   PoreJoints pore_joints = PoreJoints::tied;
@@ -44,23 +55,40 @@ struct Model {
 struct Material {
   std::vector<std::string> regions;  ///< physical surfaces
   material::PoreRock rock;
+  material::ElasticRock solid;
+  material::JointStrength strength;
+  RockJoints joints = RockJoints::breakable;
+  /// Weibull modulus m of the strengths from joint to joint; absent: all alike.
+  std::optional<double> weibull_modulus;
+  int weibull_seed = 1;
   friend bool operator==(const Material&, const Material&) = default;
 };
 
 struct FractureGroup {
   std::vector<std::string> groups;  ///< physical curves
   material::Fracture fracture;
+  Bond bond = Bond::broken;
+  material::JointStrength strength;  ///< mechanics
   friend bool operator==(const FractureGroup&, const FractureGroup&) = default;
 };
 
-/// A condition on boundary edges. Exactly one of pressure, head, flux, seepage_face is given.
+/// A condition on boundary edges. Of seepage exactly one of pressure, head, flux, seepage_face is
+/// given; of mechanics one or more of the others that do not contradict each other.
 struct BoundaryCondition {
-  std::vector<std::string> groups;       ///< physical curves
-  std::optional<Schedule> pressure;      ///< Pa
-  std::optional<Schedule> head;          ///< m above head_datum
-  std::optional<Schedule> flux;          ///< m/s, positive into the rock
-  std::optional<Schedule> seepage_face;  ///< Pa: outside pressure; outflow only
-  Domain on = Domain::both;              ///< for pressure, head and seepage face
+  std::vector<std::string> groups;                         ///< physical curves
+  std::optional<Schedule> pressure;                        ///< Pa
+  std::optional<Schedule> head;                            ///< m above head_datum
+  std::optional<Schedule> flux;                            ///< m/s, positive into the rock
+  std::optional<Schedule> seepage_face;                    ///< Pa: outside pressure; outflow only
+  Domain on = Domain::both;                                ///< for pressure, head and seepage face
+  bool fixed = false;                                      ///< no displacement
+  bool roller = false;                                     ///< no displacement normal to the edges
+  std::optional<Schedule> displacement_x, displacement_y;  ///< m
+  std::optional<Schedule> velocity_x, velocity_y;          ///< m/s
+  std::optional<Schedule> traction_x, traction_y;          ///< Pa, on the undeformed edges
+  std::optional<Schedule> normal_pressure;                 ///< Pa, follows the deformed edges
+  bool in_situ = false;    ///< carries the traction of the in-situ stress
+  bool absorbing = false;  ///< lets waves leave (Lysmer)
   friend bool operator==(const BoundaryCondition&, const BoundaryCondition&) = default;
 };
 
@@ -73,6 +101,53 @@ struct Source {
   std::optional<Schedule> rate;                ///< m2/s (per metre of thickness), positive inwards
   std::optional<Schedule> pressure;            ///< Pa; fractures, or a point in a crack
   friend bool operator==(const Source&, const Source&) = default;
+};
+
+/// A part of the model that moves in its own way: a rigid platen, or a body that is thrown.
+struct Body {
+  std::vector<std::string> regions;  ///< physical surfaces
+  bool rigid = false;                ///< does not deform and moves as the velocities say
+  std::optional<Schedule> velocity_x, velocity_y;                ///< m/s, rigid; absent: 0
+  std::optional<double> initial_velocity_x, initial_velocity_y;  ///< m/s, not rigid
+  friend bool operator==(const Body&, const Body&) = default;
+};
+
+/// A force on the vertex nearest to a point.
+struct PointForce {
+  std::array<double, 2> point{};             ///< m
+  std::optional<Schedule> force_x, force_y;  ///< N/m
+  friend bool operator==(const PointForce&, const PointForce&) = default;
+};
+
+/// Stress of the rock at time zero: stress + gradient (y - datum), tension positive.
+struct InSitu {
+  double stress_xx = 0.0, stress_yy = 0.0, stress_xy = 0.0;        ///< Pa
+  double gradient_xx = 0.0, gradient_yy = 0.0, gradient_xy = 0.0;  ///< Pa/m
+  double datum = 0.0;                                              ///< m
+  friend bool operator==(const InSitu&, const InSitu&) = default;
+};
+
+/// Regions that are taken out; the forces they gave to the rest fade over a duration.
+struct Excavation {
+  std::vector<std::string> regions;  ///< physical surfaces
+  double start = 0.0;                ///< s
+  double duration = 0.0;             ///< s
+  friend bool operator==(const Excavation&, const Excavation&) = default;
+};
+
+struct Damping {
+  double nodal_viscosity = 0.0;    ///< mu of C = mu I, (2), kg/(m s)
+  double element_viscosity = 0.0;  ///< mu of 2 mu D, (8), Pa s
+  double viscosity_ratio = 0.0;    ///< element viscosity over 2 h sqrt(E rho)
+  double local = 0.0;              ///< non-viscous: share of the unbalanced force
+  friend bool operator==(const Damping&, const Damping&) = default;
+};
+
+struct ContactOptions {
+  /// p_n, Pa: of the overlap potential; absent: as stiff as the joints.
+  std::optional<double> penalty;
+  std::optional<double> tangential_penalty;  ///< p_t, Pa/m; absent: p_n/h
+  friend bool operator==(const ContactOptions&, const ContactOptions&) = default;
 };
 
 /// State at time zero. At most one of pressure, head, water_table and steady is given; none:
@@ -96,6 +171,9 @@ struct Stepping {
   std::optional<double> maximum_step;  ///< s, implicit
   double tolerance = 1e-3;             ///< local error per step over the pressure range, implicit
   double safety = 0.9;                 ///< share of the stability limit used, explicit
+  /// Mechanics ends early when the unbalanced force is below this share of the internal forces.
+  std::optional<double> stop_ratio;
+  std::optional<double> mass_scaling_step;  ///< s: triangles with a lower limit get more mass
   friend bool operator==(const Stepping&, const Stepping&) = default;
 };
 
@@ -128,6 +206,12 @@ struct Setup {
   std::map<std::string, FractureGroup> fracture;
   std::map<std::string, BoundaryCondition> boundary;
   std::map<std::string, Source> source;
+  std::map<std::string, Body> body;
+  std::map<std::string, PointForce> point_force;
+  std::optional<InSitu> in_situ;
+  std::map<std::string, Excavation> excavation;
+  Damping damping;
+  ContactOptions contact;
   Initial initial;
   Stepping time;
   Output output;
