@@ -123,10 +123,10 @@ struct HistoryRow {
 struct Progress {
   double time = 0.0, end = 0.0, step_size = 0.0;  ///< s
   std::int64_t step = 0;
-  std::int64_t iterations = 0;                ///< of the last implicit step
-  std::optional<std::int64_t> broken_joints;  ///< in mechanics
+  std::int64_t iterations = 0;  ///< of the last implicit step
   const char* limited_by =
       "";  ///< what rules the step: "tolerance", "pore flow", "crack flow", ...
+  std::optional<std::int64_t> broken_joints = std::nullopt;  ///< in mechanics
 };
 
 /// What remains to be said at the end of a run.
