@@ -3,6 +3,9 @@
 
 #include "percolith/core/device.hpp"
 
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #if !defined(__CUDACC__)
@@ -46,10 +49,21 @@ struct ScalarLane {
   PERCOLITH_DEVICE static Real gather(const double* from, const std::int32_t* slot) {
     return from[*slot];
   }
+  /// `value(i)` for every element i of the lane, counted from its first.
+  template <class Value>
+  PERCOLITH_DEVICE static Real generate(const Value& value) {
+    return value(0);
+  }
 };
 
 PERCOLITH_DEVICE double select(bool condition, double yes, double no) {
   return condition ? yes : no;
+}
+PERCOLITH_DEVICE double square_root(double x) {
+  return std::sqrt(x);
+}
+PERCOLITH_DEVICE bool any(bool condition) {
+  return condition;
 }
 
 #if !defined(__CUDACC__)
@@ -67,6 +81,10 @@ struct VectorLane {
   static Real gather(const double* from, const std::int32_t* slot) {
     return Real([&](auto element) { return from[slot[element]]; });
   }
+  template <class Value>
+  static Real generate(const Value& value) {
+    return Real([&](auto element) { return value(static_cast<std::int32_t>(element)); });
+  }
 };
 
 inline VectorLane::Real select(VectorLane::Real::mask_type condition, VectorLane::Real yes,
@@ -74,6 +92,44 @@ inline VectorLane::Real select(VectorLane::Real::mask_type condition, VectorLane
   std::experimental::where(condition, no) = yes;
   return no;
 }
+inline VectorLane::Real square_root(VectorLane::Real x) {
+  return std::experimental::sqrt(x);
+}
+inline bool any(VectorLane::Real::mask_type condition) {
+  return std::experimental::any_of(condition);
+}
 #endif
+
+template <class Real>
+PERCOLITH_DEVICE Real larger(Real a, Real b) {
+  return select(a > b, a, b);
+}
+template <class Real>
+PERCOLITH_DEVICE Real smaller(Real a, Real b) {
+  return select(a < b, a, b);
+}
+template <class Real>
+PERCOLITH_DEVICE Real magnitude(Real a) {
+  return select(a < Real(0.0), -a, a);
+}
+
+/// Sums and a maximum that the elements of a loop add to, one place a lane of a block, so that
+/// their order does not depend on the width of a register.
+template <std::size_t Count>
+struct LaneSums {
+  std::array<std::array<double, block_width>, Count> sum{};
+  std::array<double, block_width> peak{};
+
+  template <class Lane>
+  PERCOLITH_DEVICE void add(std::size_t which, Lane lane, typename Lane::Real value) {
+    double* place = sum[which].data() + lane.first % block_width;
+    Lane::store(place, Lane::load(place) + value);
+  }
+  template <class Lane>
+  PERCOLITH_DEVICE void raise(Lane lane, typename Lane::Real value) {
+    double* place = peak.data() + lane.first % block_width;
+    Lane::store(place, larger(Lane::load(place), value));
+  }
+};
 
 }  // namespace percolith

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/mechanics/closed_joints.hpp"
+
+#include "percolith/material/friction.hpp"
+#include "percolith/mechanics/joint.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace percolith::mechanics {
+namespace {
+
+/// Slip over the length of a joint beyond which its faces are left to contact.
+constexpr double facing_share = 0.1;
+/// Opening over the length beyond which its faces have parted: above round-off, far below any
+/// deformation.
+constexpr double parting_share = 1e-9;
+
+struct Kinematics {
+  JointPlace<double> place;
+  std::array<double, 2> opening, slip;
+};
+
+Kinematics kinematics(const Model& model, Index j) {
+  const mesh::Joint& joint = model.mesh.joint[at(j)];
+  std::array<std::array<Point, 2>, 2> u;
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (std::size_t end = 0; end < 2; ++end) {
+      const auto c = at(joint.corner[side][end]);
+      u[side][end] = {model.motion.ux[c], model.motion.uy[c]};
+    }
+  }
+  Kinematics k{joint_place(Point{model.joints.ex[at(j)], model.joints.ey[at(j)]}, u), {}, {}};
+  for (std::size_t g = 0; g < 2; ++g) {
+    const Point apart = apart_at(k.place, g);
+    k.opening[g] = dot(apart, k.place.across);
+    k.slip[g] = dot(apart, k.place.along);
+    if (!model.joints.opening_start[g].empty()) {
+      k.opening[g] += model.joints.opening_start[g][at(j)];
+      k.slip[g] += model.joints.slip_start[g][at(j)];
+    }
+  }
+  return k;
+}
+
+material::JointTraction<double> traction_of(const ClosedJoint& closed, const Kinematics& k,
+                                            std::size_t g) {
+  const double normal = closed.stiffness * std::min(0.0, k.opening[g]);
+  return {normal, closed.stiffness * (k.slip[g] - closed.plastic_slip[g])};
+}
+
+struct ClosedForces {
+  Model* model;
+  double* dissipated;
+
+  void operator()(ScalarLane lane) const {
+    ClosedJoint& closed = model->closed[at(lane.first)];
+    const Kinematics k = kinematics(*model, closed.joint);
+    const double length = model->mesh.joint_length(closed.joint);
+    std::array<material::JointTraction<double>, 2> t;
+    double spent = 0.0;
+    for (std::size_t g = 0; g < 2; ++g) {
+      t[g] = traction_of(closed, k, g);
+      const auto friction =
+          material::coulomb_friction(t[g].shear, closed.stiffness, -t[g].normal * closed.friction);
+      // Where nothing slides nothing is touched, so that sticking faces do not creep by round-off.
+      if (friction.force != t[g].shear) {
+        closed.plastic_slip[g] = k.slip[g] - friction.force / closed.stiffness;
+      }
+      t[g].shear = friction.force;
+      spent += friction.dissipated;
+    }
+    dissipated[lane.first] = 0.5 * length * spent;
+    const auto f = joint_forces(k.place, length, t);
+    double* out = model->joints.force.data() + force_slot(closed.joint);
+    out[0] = f[0].x;
+    out[block_width] = f[0].y;
+    out[2 * block_width] = f[1].x;
+    out[3 * block_width] = f[1].y;
+  }
+};
+
+double stored_in(const ClosedJoint& closed, const Kinematics& k, double length) {
+  double stored = 0.0;
+  for (std::size_t g = 0; g < 2; ++g) {
+    const auto t = traction_of(closed, k, g);
+    stored += 0.25 * length * (t.normal * t.normal + t.shear * t.shear) / closed.stiffness;
+  }
+  return stored;
+}
+
+}  // namespace
+
+void add_closed_joints(Model& model, Execution& execution) {
+  if (model.closed.empty()) {
+    return;
+  }
+  std::vector<double> dissipated(model.closed.size());
+  const auto n = static_cast<Index>(model.closed.size());
+  execution.for_each("closed joints", n, ClosedForces{&model, dissipated.data()});
+  model.energy.closed_friction += execution.sum(n, [&](Index i) { return dissipated[at(i)]; });
+}
+
+std::vector<ClosedJointEnd> ended_closed_joints(const Model& model) {
+  std::vector<ClosedJointEnd> ended;
+  for (const ClosedJoint& closed : model.closed) {
+    const Kinematics k = kinematics(model, closed.joint);
+    const double length = model.mesh.joint_length(closed.joint);
+    const double slipped = 0.5 * std::abs((k.slip[0] - closed.slip_at_start[0]) +
+                                          (k.slip[1] - closed.slip_at_start[1]));
+    const bool parted = std::min(k.opening[0], k.opening[1]) > parting_share * length;
+    if (!parted && slipped < facing_share * length) {
+      continue;
+    }
+    ClosedJointEnd end{closed.joint, 0.0, {}, stored_in(closed, k, length)};
+    for (std::size_t g = 0; g < 2; ++g) {
+      const auto t = traction_of(closed, k, g);
+      end.normal_force -= 0.5 * length * t.normal;
+      end.shear_on_first = end.shear_on_first + 0.5 * length * t.shear * k.place.along;
+    }
+    ended.push_back(end);
+  }
+  return ended;
+}
+
+double stored_in_closed_joints(const Model& model) {
+  double stored = 0.0;
+  for (const ClosedJoint& closed : model.closed) {
+    stored +=
+        stored_in(closed, kinematics(model, closed.joint), model.mesh.joint_length(closed.joint));
+  }
+  return stored;
+}
+
+}  // namespace percolith::mechanics
