@@ -5,22 +5,30 @@
 
 namespace percolith::material {
 
-/// Friction after a step: the force, and the energy that sliding spent.
+/// What one step of sliding made of a tangential force.
 template <class Real>
-struct Friction {
-  Real force;
-  Real dissipated;
+struct FrictionStep {
+  Real force{};  ///< N/m, after the step
+  Real slip{};   ///< m, the part of the displacement that is not recovered; sign of the force
+  Real loss{};   ///< J/m, dissipated: slip times the mean of the forces before and after
 };
 
-/// Coulomb friction with memory, (6), (7): `trial` (N/m) is the force had the faces stuck, k
-/// (N/m2) the stiffness it grew with, `limit` (N/m) what friction bears. The force is cut to the
-/// limit; what is cut off was slip at the limit.
+/// Coulomb friction with a tangential spring, (6), (7):
+///
+///     f' = f - k s,   |f'| <= limit
+///
+/// with f the force before (N/m), s the tangential displacement of the step (m, of the body the
+/// force acts on, relative to the other), k > 0 the stiffness (Pa), limit = tan(phi) |f_n| (N/m).
+/// The loss is what the work (f + f')/2 s took from the bodies and f'^2/(2 k) did not store.
 template <class Real>
-PERCOLITH_DEVICE Friction<Real> coulomb_friction(Real trial, Real stiffness, Real limit) {
-  const Real size = magnitude(trial);
-  const Real kept = smaller(size, limit);
-  const Real slip = select(stiffness > Real(0.0), (size - kept) / stiffness, Real(0.0));
-  return {select(trial < Real(0.0), -kept, kept), kept * slip};
+PERCOLITH_DEVICE FrictionStep<Real> friction_step(Real force, Real stiffness, Real displacement,
+                                                  Real limit) {
+  const Real trial = force - stiffness * displacement;
+  FrictionStep<Real> step;
+  step.force = select(trial > limit, limit, select(trial < -limit, -limit, trial));
+  step.slip = (trial - step.force) / stiffness;
+  step.loss = Real(0.5) * (force + step.force) * step.slip;
+  return step;
 }
 
 }  // namespace percolith::material

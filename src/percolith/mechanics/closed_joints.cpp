@@ -2,7 +2,7 @@
 #include "percolith/mechanics/closed_joints.hpp"
 
 #include "percolith/material/friction.hpp"
-#include "percolith/mechanics/joint.hpp"
+#include "percolith/mechanics/joint_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,34 +16,7 @@ constexpr double facing_share = 0.1;
 /// deformation.
 constexpr double parting_share = 1e-9;
 
-struct Kinematics {
-  JointPlace<double> place;
-  std::array<double, 2> opening, slip;
-};
-
-Kinematics kinematics(const Model& model, Index j) {
-  const mesh::Joint& joint = model.mesh.joint[at(j)];
-  std::array<std::array<Point, 2>, 2> u;
-  for (std::size_t side = 0; side < 2; ++side) {
-    for (std::size_t end = 0; end < 2; ++end) {
-      const auto c = at(joint.corner[side][end]);
-      u[side][end] = {model.motion.ux[c], model.motion.uy[c]};
-    }
-  }
-  Kinematics k{joint_place(Point{model.joints.ex[at(j)], model.joints.ey[at(j)]}, u), {}, {}};
-  for (std::size_t g = 0; g < 2; ++g) {
-    const Point apart = apart_at(k.place, g);
-    k.opening[g] = dot(apart, k.place.across);
-    k.slip[g] = dot(apart, k.place.along);
-    if (!model.joints.opening_start[g].empty()) {
-      k.opening[g] += model.joints.opening_start[g][at(j)];
-      k.slip[g] += model.joints.slip_start[g][at(j)];
-    }
-  }
-  return k;
-}
-
-material::JointTraction<double> traction_of(const ClosedJoint& closed, const Kinematics& k,
+material::JointTraction<double> traction_of(const ClosedJoint& closed, const JointPoints& k,
                                             std::size_t g) {
   const double normal = closed.stiffness * std::min(0.0, k.opening[g]);
   return {normal, closed.stiffness * (k.slip[g] - closed.plastic_slip[g])};
@@ -55,7 +28,7 @@ struct ClosedForces {
 
   void operator()(ScalarLane lane) const {
     ClosedJoint& closed = model->closed[at(lane.first)];
-    const Kinematics k = kinematics(*model, closed.joint);
+    const JointPoints k = joint_openings(*model, closed.joint);
     const double length = model->mesh.joint_length(closed.joint);
     std::array<material::JointTraction<double>, 2> t;
     double spent = 0.0;
@@ -80,7 +53,7 @@ struct ClosedForces {
   }
 };
 
-double stored_in(const ClosedJoint& closed, const Kinematics& k, double length) {
+double stored_in(const ClosedJoint& closed, const JointPoints& k, double length) {
   double stored = 0.0;
   for (std::size_t g = 0; g < 2; ++g) {
     const auto t = traction_of(closed, k, g);
@@ -104,7 +77,7 @@ void add_closed_joints(Model& model, Execution& execution) {
 std::vector<ClosedJointEnd> ended_closed_joints(const Model& model) {
   std::vector<ClosedJointEnd> ended;
   for (const ClosedJoint& closed : model.closed) {
-    const Kinematics k = kinematics(model, closed.joint);
+    const JointPoints k = joint_openings(model, closed.joint);
     const double length = model.mesh.joint_length(closed.joint);
     const double slipped = 0.5 * std::abs((k.slip[0] - closed.slip_at_start[0]) +
                                           (k.slip[1] - closed.slip_at_start[1]));
@@ -126,8 +99,8 @@ std::vector<ClosedJointEnd> ended_closed_joints(const Model& model) {
 double stored_in_closed_joints(const Model& model) {
   double stored = 0.0;
   for (const ClosedJoint& closed : model.closed) {
-    stored +=
-        stored_in(closed, kinematics(model, closed.joint), model.mesh.joint_length(closed.joint));
+    stored += stored_in(closed, joint_openings(model, closed.joint),
+                        model.mesh.joint_length(closed.joint));
   }
   return stored;
 }

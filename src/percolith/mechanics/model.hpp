@@ -116,14 +116,16 @@ struct Energies {
   CompensatedSum contact_work;
   CompensatedSum load_work;  ///< of tractions, pressures and point forces
   CompensatedSum gravity_work;
-  CompensatedSum support_work;     ///< of the supports
-  CompensatedSum damping;          ///< spent by nodal viscosity and local damping, positive
-  CompensatedSum viscous;          ///< spent by element viscosity, positive
-  CompensatedSum absorbed;         ///< let out through absorbing boundaries, positive
-  CompensatedSum closed_friction;  ///< spent by slip of closed joints, positive
-  CompensatedSum handed_over;      ///< stored by closed joints when contact took over
-  double unbalanced = 0.0;         ///< sum of |F| over the corners, last step, N/m
-  double internal = 0.0;           ///< sum of |internal force|, last step, N/m
+  CompensatedSum support_work;      ///< of the supports
+  CompensatedSum damping;           ///< spent by nodal viscosity and local damping, positive
+  CompensatedSum viscous;           ///< spent by element viscosity, positive
+  CompensatedSum absorbed;          ///< let out through absorbing boundaries, positive
+  CompensatedSum closed_friction;   ///< spent by slip of closed joints, positive
+  CompensatedSum handed_over;       ///< stored by closed joints when contact took over
+  CompensatedSum taken_out;         ///< held by triangles that were taken out
+  CompensatedSum joints_taken_out;  ///< held by their joints
+  double unbalanced = 0.0;          ///< sum of |F| over the corners, last step, N/m
+  double internal = 0.0;            ///< sum of |internal force|, last step, N/m
 };
 
 struct Damping {
