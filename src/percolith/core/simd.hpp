@@ -10,6 +10,9 @@
 
 #if !defined(__CUDACC__)
 #include <experimental/simd>
+#if defined(__AVX512F__)
+#include <immintrin.h>
+#endif
 #endif
 
 // The only place that knows how the host packs several elements into one register. A kernel sees
@@ -49,6 +52,12 @@ struct ScalarLane {
   PERCOLITH_DEVICE static Real gather(const double* from, const std::int32_t* slot) {
     return from[*slot];
   }
+  /// `from[code ^ flip]`, negative where `code` has the bit `sign`.
+  PERCOLITH_DEVICE static Real gather_signed(const double* from, const std::int32_t* code,
+                                             std::int32_t flip, std::int32_t sign) {
+    const double value = from[*code ^ flip];
+    return (*code & sign) != 0 ? -value : value;
+  }
   /// `value(i)` for every element i of the lane, counted from its first.
   template <class Value>
   PERCOLITH_DEVICE static Real generate(const Value& value) {
@@ -78,13 +87,41 @@ struct VectorLane {
   static void store(double* to, Real value) {
     value.copy_to(to, std::experimental::element_aligned);
   }
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+  static Real gather(const double* from, const std::int32_t* slot) {
+    return Real(_mm512_i32gather_pd(eight(slot), from, sizeof(double)));
+  }
+  static Real gather_signed(const double* from, const std::int32_t* code, std::int32_t flip,
+                            std::int32_t sign) {
+    const __m256i codes = eight(code);
+    const __m512d value =
+        _mm512_i32gather_pd(_mm256_xor_si256(codes, _mm256_set1_epi32(flip)), from, sizeof(double));
+    const __mmask8 negative = _mm256_test_epi32_mask(codes, _mm256_set1_epi32(sign));
+    return Real(_mm512_mask_xor_pd(value, negative, value, _mm512_set1_pd(-0.0)));
+  }
+#else
   static Real gather(const double* from, const std::int32_t* slot) {
     return Real([&](auto element) { return from[slot[element]]; });
   }
+  static Real gather_signed(const double* from, const std::int32_t* code, std::int32_t flip,
+                            std::int32_t sign) {
+    return Real([&](auto element) {
+      const double value = from[code[element] ^ flip];
+      return (code[element] & sign) != 0 ? -value : value;
+    });
+  }
+#endif
   template <class Value>
   static Real generate(const Value& value) {
     return Real([&](auto element) { return value(static_cast<std::int32_t>(element)); });
   }
+
+#if defined(__AVX512F__)
+private:
+  static __m256i eight(const std::int32_t* from) {
+    return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
+  }
+#endif
 };
 
 inline VectorLane::Real select(VectorLane::Real::mask_type condition, VectorLane::Real yes,

@@ -85,10 +85,11 @@ void refresh_fans(Model& model, Index j) {
 /// The closed joint a failed one becomes: it carries on the tractions of its last step.
 ClosedJoint close(const Model& model, Index j, const JointPoints& points) {
   const JointKind& kind = model.kind[at(model.joints.strength[at(j)])];
-  ClosedJoint closed{j, model.joints.full_stiffness[at(j)], kind.residual_friction, {}, {}};
+  ClosedJoint closed{j, model.joints.full_stiffness[at(j)], kind.residual_friction};
   for (std::size_t g = 0; g < 2; ++g) {
     closed.slip_at_start[g] = points.slip[g];
-    closed.plastic_slip[g] = points.slip[g] - points.traction[g].shear / closed.stiffness;
+    closed.slip[g] = points.slip[g];
+    closed.shear[g] = points.traction[g].shear;
   }
   return closed;
 }

@@ -16,10 +16,18 @@ constexpr double facing_share = 0.1;
 /// deformation.
 constexpr double parting_share = 1e-9;
 
-material::JointTraction<double> traction_of(const ClosedJoint& closed, const JointPoints& k,
-                                            std::size_t g) {
-  const double normal = closed.stiffness * std::min(0.0, k.opening[g]);
-  return {normal, closed.stiffness * (k.slip[g] - closed.plastic_slip[g])};
+/// Traction at a point with friction brought up to date, and the energy sliding spent, J/m2.
+struct ClosedTraction {
+  material::JointTraction<double> traction;
+  double loss = 0.0;
+};
+
+ClosedTraction traction_of(const ClosedJoint& closed, const JointPoints& points, std::size_t g) {
+  const double normal = closed.stiffness * std::min(0.0, points.opening[g]);
+  const auto friction =
+      material::friction_step(closed.shear[g], closed.stiffness, closed.slip[g] - points.slip[g],
+                              -normal * closed.friction);
+  return {{normal, friction.force}, friction.loss};
 }
 
 struct ClosedForces {
@@ -33,15 +41,11 @@ struct ClosedForces {
     std::array<material::JointTraction<double>, 2> t;
     double spent = 0.0;
     for (std::size_t g = 0; g < 2; ++g) {
-      t[g] = traction_of(closed, k, g);
-      const auto friction =
-          material::coulomb_friction(t[g].shear, closed.stiffness, -t[g].normal * closed.friction);
-      // Where nothing slides nothing is touched, so that sticking faces do not creep by round-off.
-      if (friction.force != t[g].shear) {
-        closed.plastic_slip[g] = k.slip[g] - friction.force / closed.stiffness;
-      }
-      t[g].shear = friction.force;
-      spent += friction.dissipated;
+      const ClosedTraction now = traction_of(closed, k, g);
+      t[g] = now.traction;
+      spent += now.loss;
+      closed.shear[g] = t[g].shear;
+      closed.slip[g] = k.slip[g];
     }
     dissipated[lane.first] = 0.5 * length * spent;
     const auto f = joint_forces(k.place, length, t);
@@ -56,7 +60,7 @@ struct ClosedForces {
 double stored_in(const ClosedJoint& closed, const JointPoints& k, double length) {
   double stored = 0.0;
   for (std::size_t g = 0; g < 2; ++g) {
-    const auto t = traction_of(closed, k, g);
+    const auto t = traction_of(closed, k, g).traction;
     stored += 0.25 * length * (t.normal * t.normal + t.shear * t.shear) / closed.stiffness;
   }
   return stored;
@@ -87,7 +91,7 @@ std::vector<ClosedJointEnd> ended_closed_joints(const Model& model) {
     }
     ClosedJointEnd end{closed.joint, 0.0, {}, stored_in(closed, k, length)};
     for (std::size_t g = 0; g < 2; ++g) {
-      const auto t = traction_of(closed, k, g);
+      const auto t = traction_of(closed, k, g).traction;
       end.normal_force -= 0.5 * length * t.normal;
       end.shear_on_first = end.shear_on_first + 0.5 * length * t.shear * k.place.along;
     }

@@ -163,7 +163,8 @@ void Dynamics::add_to(StateHash& hash) const {
     hash.add(model_.joints.slip_peak[g]);
   }
   for (const ClosedJoint& closed : model_.closed) {
-    hash.add(closed.plastic_slip);
+    hash.add(closed.shear);
+    hash.add(closed.slip);
   }
   contact_.add_to(hash);
   hash.add(m.time);

@@ -79,12 +79,12 @@ struct JointKind {
 /// A joint of which only friction is left, kept as long as its faces stay together.
 struct ClosedJoint {
   Index joint = 0;
-  double stiffness = 0.0;                 ///< k, Pa/m
-  double friction = 0.0;                  ///< tan of the residual friction angle
-  std::array<double, 2> plastic_slip{};   ///< m, [point]
+  double stiffness = 0.0;         ///< k, Pa/m
+  double friction = 0.0;          ///< tan of the residual friction angle
+  std::array<double, 2> shear{};  ///< traction along the joint in the last step, Pa, [point]
+  std::array<double, 2> slip{};   ///< in the last step, m, [point]
   std::array<double, 2> slip_at_start{};  ///< m, [point]
 };
-
 /// Displacement and velocity.
 struct Motion {
   double time = 0.0;           ///< s

@@ -25,7 +25,7 @@ inline constexpr auto terms = static_cast<std::size_t>(Term::count);
 /// Forces on the corners of a triangle by their origin, N/m.
 template <class Real>
 struct ForcesByOrigin {
-  Corners<Real> stress, viscous, joint, contact, load;
+  CornerVectors<Real> stress, viscous, joint, contact, load;
   Real gravity;  ///< along y, negative, the same at each corner
 };
 
@@ -85,12 +85,12 @@ struct Move {
     using Real = typename Lane::Real;
     const Index t = lane.first;
     const Index first = mesh::corner_of(t, 0);
-    const Corners<Real> u = load_corners<Lane>(ux, uy, first);
-    const Corners<Real> v = load_corners<Lane>(vx, vy, first);
+    const CornerVectors<Real> u = load_corners<Lane>(ux, uy, first);
+    const CornerVectors<Real> v = load_corners<Lane>(vx, vy, first);
     ForcesByOrigin<Real> f = forces<Lane>(t, first, u, v);
     const Real w = Lane::load(inverse_mass + t);
-    Corners<Real> moved;
-    Corners<Real> fast;
+    CornerVectors<Real> moved;
+    CornerVectors<Real> fast;
     for (std::size_t k = 0; k < 3; ++k) {
       Vec2<Real> total = (f.stress[k] + f.joint[k]) + (f.contact[k] + f.load[k]);
       total.y += f.gravity;
@@ -105,8 +105,8 @@ struct Move {
 
   template <class Lane>
   PERCOLITH_DEVICE ForcesByOrigin<typename Lane::Real>
-  forces(Index t, Index first, const Corners<typename Lane::Real>& u,
-         const Corners<typename Lane::Real>& v) const {
+  forces(Index t, Index first, const CornerVectors<typename Lane::Real>& u,
+         const CornerVectors<typename Lane::Real>& v) const {
     ForcesByOrigin<typename Lane::Real> f = outside_forces<Lane>(t, first);
     f.stress = solid.of_stress<Lane>(t, u, v, f.viscous);
     f.joint = solid.of_joints<Lane>(first);
@@ -131,13 +131,13 @@ struct Move {
   /// Adds energies and works of a triangle that went from velocities `v` to `fast`.
   template <class Lane>
   PERCOLITH_DEVICE void book(Lane lane, const ForcesByOrigin<typename Lane::Real>& f,
-                             const Corners<typename Lane::Real>& v,
-                             const Corners<typename Lane::Real>& fast, typename Lane::Real w,
+                             const CornerVectors<typename Lane::Real>& v,
+                             const CornerVectors<typename Lane::Real>& fast, typename Lane::Real w,
                              LaneSums<terms>& sums) const {
     using Real = typename Lane::Real;
-    const Corners<Real> path{law.path(v[0], fast[0]), law.path(v[1], fast[1]),
-                             law.path(v[2], fast[2])};
-    const auto work = [&](const Corners<Real>& force) {
+    const CornerVectors<Real> path{law.path(v[0], fast[0]), law.path(v[1], fast[1]),
+                                   law.path(v[2], fast[2])};
+    const auto work = [&](const CornerVectors<Real>& force) {
       return (dot(force[0], path[0]) + dot(force[1], path[1])) + dot(force[2], path[2]);
     };
     const auto add = [&](Term term, Real value) {

@@ -67,9 +67,9 @@ struct FinishMotion {
     f.stress = load_corners<Lane>(b.stress_x.data(), b.stress_y.data(), first);
     f.viscous = load_corners<Lane>(b.viscous_x.data(), b.viscous_y.data(), first);
     f.joint = load_corners<Lane>(b.joint_x.data(), b.joint_y.data(), first);
-    const Corners<Real> v = load_corners<Lane>(move.vx, move.vy, first);
-    const Corners<Real> fast = load_corners<Lane>(b.new_vx.data(), b.new_vy.data(), first);
-    Corners<Real> u = load_corners<Lane>(move.ux, move.uy, first);
+    const CornerVectors<Real> v = load_corners<Lane>(move.vx, move.vy, first);
+    const CornerVectors<Real> fast = load_corners<Lane>(b.new_vx.data(), b.new_vy.data(), first);
+    CornerVectors<Real> u = load_corners<Lane>(move.ux, move.uy, first);
     for (std::size_t k = 0; k < 3; ++k) {
       u[k] = u[k] + Real(move.law.dt) * fast[k];
     }

@@ -8,13 +8,13 @@ namespace percolith::mechanics {
 
 /// Vectors at the three corners of a triangle.
 template <class Real>
-using Corners = std::array<Vec2<Real>, 3>;
+using CornerVectors = std::array<Vec2<Real>, 3>;
 
 /// Loads x and y at the three corners of the lane's triangles; views have an entry a corner slot.
 template <class Lane>
-PERCOLITH_DEVICE Corners<typename Lane::Real> load_corners(const double* x, const double* y,
-                                                           Index first) {
-  Corners<typename Lane::Real> v;
+PERCOLITH_DEVICE CornerVectors<typename Lane::Real> load_corners(const double* x, const double* y,
+                                                                 Index first) {
+  CornerVectors<typename Lane::Real> v;
   for (std::size_t k = 0; k < 3; ++k) {
     const Index slot = first + static_cast<Index>(k) * block_width;
     v[k] = {Lane::load(x + slot), Lane::load(y + slot)};
@@ -23,8 +23,8 @@ PERCOLITH_DEVICE Corners<typename Lane::Real> load_corners(const double* x, cons
 }
 
 template <class Lane>
-PERCOLITH_DEVICE void store_corners(const Corners<typename Lane::Real>& v, double* x, double* y,
-                                    Index first) {
+PERCOLITH_DEVICE void store_corners(const CornerVectors<typename Lane::Real>& v, double* x,
+                                    double* y, Index first) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Index slot = first + static_cast<Index>(k) * block_width;
     Lane::store(x + slot, v[k].x);
@@ -41,9 +41,10 @@ struct SolidForces {
   /// Forces of the stress, viscous stress included; `viscous` gets the forces of the viscous part
   /// and is left alone where nothing is viscous.
   template <class Lane>
-  PERCOLITH_DEVICE Corners<typename Lane::Real>
-  of_stress(Index t, const Corners<typename Lane::Real>& u, const Corners<typename Lane::Real>& v,
-            Corners<typename Lane::Real>& viscous) const {
+  PERCOLITH_DEVICE CornerVectors<typename Lane::Real>
+  of_stress(Index t, const CornerVectors<typename Lane::Real>& u,
+            const CornerVectors<typename Lane::Real>& v,
+            CornerVectors<typename Lane::Real>& viscous) const {
     using Real = typename Lane::Real;
     // Padding has edges too, so that its area is not zero.
     const TriangleShape<Real> shape =
@@ -71,29 +72,21 @@ struct SolidForces {
 
   /// Forces of the joints at the three edges.
   template <class Lane>
-  PERCOLITH_DEVICE Corners<typename Lane::Real> of_joints(Index first) const {
+  PERCOLITH_DEVICE CornerVectors<typename Lane::Real> of_joints(Index first) const {
     using Real = typename Lane::Real;
     std::array<Vec2<Real>, 3> start;
     std::array<Vec2<Real>, 3> end;
     for (std::size_t k = 0; k < 3; ++k) {
       const Index* code = edge_joint + first + static_cast<Index>(k) * block_width;
-      start[k] = {Lane::generate([&](Index i) { return signed_force(code[i], 0, 0); }),
-                  Lane::generate([&](Index i) { return signed_force(code[i], 0, block_width); })};
-      end[k] = {
-          Lane::generate([&](Index i) { return signed_force(code[i], other_end, 0); }),
-          Lane::generate([&](Index i) { return signed_force(code[i], other_end, block_width); })};
+      start[k] = {Lane::gather_signed(force, code, 0, other_end),
+                  Lane::gather_signed(force + block_width, code, 0, other_end)};
+      end[k] = {Lane::gather_signed(force, code, other_end, other_end),
+                Lane::gather_signed(force + block_width, code, other_end, other_end)};
     }
     return {start[0] + end[2], start[1] + end[0], start[2] + end[1]};
   }
 
 private:
-  /// A component of the force at the start of an edge, or at its end where `flip` is `other_end`.
-  [[nodiscard]] PERCOLITH_DEVICE double signed_force(Index code, Index flip,
-                                                     Index component) const {
-    const double value = force[(code ^ flip) + component];
-    return (code & other_end) != 0 ? -value : value;
-  }
-
   template <class Lane>
   PERCOLITH_DEVICE material::PlaneStiffness<typename Lane::Real> stiffness(Index t) const {
     using Real = typename Lane::Real;
