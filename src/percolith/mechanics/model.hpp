@@ -22,6 +22,7 @@ using mesh::Index;
 /// What acts between the two triangles of a joint.
 enum class JointState : std::uint8_t {
   tied,    ///< they share nodes
+  rigid,   ///< both sides belong to one rigid body
   bonded,  ///< the joint law
   closed,  ///< friction between faces that have not parted since they broke
   broken   ///< contact, if they meet
@@ -144,7 +145,7 @@ struct Model {
   Joints joints;
   std::vector<ClosedJoint> closed;   ///< ascending in joints
   std::vector<std::uint8_t> tied;    ///< per joint: shares nodes
-  std::vector<std::uint8_t> bonded;  ///< per joint: tied or bonded
+  std::vector<std::uint8_t> bonded;    ///< per joint: tied, rigid or bonded
   mesh::NodeMap nodes;               ///< corners that move together
   mesh::NodeMap fans;                ///< corners connected through tied or bonded joints
   bool any_tied = false;
