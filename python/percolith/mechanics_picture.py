@@ -42,6 +42,7 @@ MODES = {
 }
 _TENSION, _COMPRESSION = "#D7191C", "#2C4FBB"
 _COLOURS = 256  # of the colour map
+_LEGEND_ROW = 0.3  # inches below the picture
 _GREYS = LinearSegmentedColormap.from_list("damage", ["#F4F4F4", "#7A7A7A"])
 
 
@@ -191,6 +192,8 @@ def draw_mechanics(run: RunDirectory, frame: Frame, field: str, path: Path,
     scale = automatic_scale(frame.matrix) if scale is None else scale
     points = deformed_points(frame.matrix, scale)
     figure, axes, is_wide = model_figure(points)
+    legend_rows = 2 if field == "damage" else 1 if field in _STRESSES else 0
+    figure.set_figheight(figure.get_figheight() + legend_rows * _LEGEND_ROW)
     if field == "fragments":
         _draw_fragments(axes, frame, points)
     else:
