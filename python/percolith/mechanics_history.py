@@ -38,6 +38,11 @@ def _present(history: Table, curves: dict[str, str]) -> dict[str, str]:
             if name in history and np.any(np.nan_to_num(history[name]) != 0.0)}
 
 
+def _scale(values: np.ndarray, unit: str) -> Scale:
+    """Of the finite values: a run that failed may have others."""
+    return power_scale(values[np.isfinite(values)], unit)
+
+
 def _reactions(history: Table) -> dict[str, str]:
     curves = {}
     for axis in "xy":
@@ -70,8 +75,7 @@ def _draw_group(axes, history: Table, time: Scale, curves: dict[str, str], unit:
     axes.set_visible(bool(shown))
     if shown:
         joined = np.concatenate([history[name] for name in shown])
-        draw_curves(axes, history, time, shown, power_scale(joined[np.isfinite(joined)], unit),
-                    quantity)
+        draw_curves(axes, history, time, shown, _scale(joined, unit), quantity)
 
 
 def _draw_counts(axes, history: Table, time: Scale) -> None:
@@ -89,7 +93,7 @@ def _draw_counts(axes, history: Table, time: Scale) -> None:
 
 
 def _draw_residual(axes, history: Table, time: Scale) -> None:
-    scale = power_scale(history["residual_J_per_m"], "J/m")
+    scale = _scale(history["residual_J_per_m"], "J/m")
     axes.plot(history["time_s"] / time.factor, history["residual_J_per_m"] / scale.factor,
               color=BLACK, linewidth=1.2)
     axes.set_ylabel(scale.label("Energy residual"))
@@ -138,7 +142,7 @@ def draw_loading(run: RunDirectory, path: Path) -> Path | None:
                                 layout="constrained", squeeze=False)
     for axes, curve in zip(grid.flat, curves):
         # Loading reads from the lower left to the upper right, whatever its sign.
-        across, up = power_scale(curve.displacement, "m"), power_scale(curve.reaction, "N/m")
+        across, up = _scale(curve.displacement, "m"), _scale(curve.reaction, "N/m")
         axes.plot(curve.displacement / across.factor, curve.reaction / up.factor, color=BLUE,
                   linewidth=1.4)
         axes.set_xlabel(across.label("Mean displacement"))

@@ -155,7 +155,7 @@ def _draw_crosses(figure, axes, frame: Frame, points: np.ndarray, field: str) ->
     spacing = max(size) / 20
     counts = np.maximum(np.round(size / spacing), 1)  # whole squares, so that none is a sliver
     chosen = one_a_square((centre - points.min(axis=0)) / size * counts, 1.0)
-    largest = np.percentile(np.abs(_values(frame, field)), 95) or 1.0
+    largest = np.nanpercentile(np.abs(_values(frame, field)), 95) or 1.0
     across = np.stack([-direction[:, 1], direction[:, 0]], axis=1)
     for sign, colour in ((-1, _COMPRESSION), (1, _TENSION)):
         lines = []

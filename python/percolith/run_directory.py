@@ -115,7 +115,9 @@ class RunDirectory:
     @cached_property
     def events(self) -> Table:
         """events.csv: one row a broken joint, in the order of time; `mode` and `material` are text.
-        Only runs of mechanics have it."""
+        Raises RunDirectoryError in a run of flow."""
+        if not self.is_mechanics:
+            raise RunDirectoryError(f"{self.path}: a run of flow has no events")
         return read_table(self._file("events.csv"), words=("mode", "material"))
 
     @property

@@ -114,8 +114,14 @@ def test_crosses_tell_tension_from_compression(directory, tmp_path):
     run = RunDirectory(directory)
     path = tmp_path / "stress.png"
     draw_mechanics(run, run.frame(), "principal_stress_1", path)
-    assert share_of(path, "#D7191C") > 1e-3
-    assert share_of(path, "#2C4FBB") > 1e-3
+    tension, compression = share_of(path, "#D7191C"), share_of(path, "#2C4FBB")
+    assert tension > 1e-3 and compression > 1e-3
+    frame = run.frame()
+    stresses = frame.matrix.cell_data
+    stresses["principal_stress_1_Pa"] = -np.abs(stresses["principal_stress_1_Pa"])
+    draw_mechanics(run, frame, "principal_stress_1", path)
+    assert share_of(path, "#D7191C") < 0.2 * tension  # the legend alone
+    assert share_of(path, "#2C4FBB") > compression
 
 
 def test_fragments_have_colours_of_their_own(directory, tmp_path):
@@ -216,3 +222,14 @@ def test_b_value_by_hand():
 def test_b_value_needs_twenty_events():
     assert b_value(np.linspace(-4, -3, 19)) is None
     assert b_value(np.full(30, -np.inf)) is None
+
+
+def test_a_run_that_failed_can_still_be_drawn(tmp_path, capsys):
+    directory = write_mechanics_run(tmp_path / "results")
+    table = directory / "history.csv"
+    lines = table.read_text().splitlines()
+    cells = lines[-1].split(",")
+    lines[-1] = ",".join(cells[:3] + ["nan"] * (len(cells) - 3))
+    table.write_text("\n".join(lines) + "\n")
+    assert plot.main([str(directory)]) == 0
+    assert "loading.png" in capsys.readouterr().out
