@@ -8,9 +8,6 @@
 namespace percolith::mechanics {
 namespace {
 
-/// Stiffness of the joints over E of the softer side where no penalty is given.
-constexpr double default_penalty = 20.0;
-
 Index material_of(const Ingredients& from, const mesh::Mesh& mesh, Index t) {
   return from.region_material[at(mesh.region[at(t)])];
 }

@@ -5,6 +5,9 @@
 
 namespace percolith::mechanics {
 
+/// Penalty p_f of the joints over E of the softer side where none is given.
+inline constexpr double default_penalty = 20.0;
+
 /// What a model is built from.
 struct Ingredients {
   material::Plane plane = material::Plane::strain;

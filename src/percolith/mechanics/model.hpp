@@ -145,7 +145,7 @@ struct Model {
   Joints joints;
   std::vector<ClosedJoint> closed;   ///< ascending in joints
   std::vector<std::uint8_t> tied;    ///< per joint: shares nodes
-  std::vector<std::uint8_t> bonded;    ///< per joint: tied, rigid or bonded
+  std::vector<std::uint8_t> bonded;  ///< per joint: tied, rigid or bonded
   mesh::NodeMap nodes;               ///< corners that move together
   mesh::NodeMap fans;                ///< corners connected through tied or bonded joints
   bool any_tied = false;

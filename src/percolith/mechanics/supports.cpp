@@ -25,9 +25,9 @@ bool agree(const PrescribedMotion& a, const PrescribedMotion& b) {
   return (is_rest(a) && is_rest(b)) || (a.kind == b.kind && a.value == b.value);
 }
 
-[[noreturn]] void refuse(const Model& model, Index vertex, const PrescribedMotion& a,
+[[noreturn]] void refuse(const Model& model, Index corner, const PrescribedMotion& a,
                          const PrescribedMotion& b) {
-  const Point p = model.mesh.vertex[at(vertex)];
+  const Point p = model.mesh.place_of(corner);
   throw InputError({{},
                     b.name,
                     "",
@@ -35,6 +35,17 @@ bool agree(const PrescribedMotion& a, const PrescribedMotion& b) {
                                 "another motion there",
                                 p.x, p.y, a.name),
                     "at each point two independent directions at the most, each prescribed once"});
+}
+
+/// What holds one corner of a node holds all of them.
+std::vector<Held> spread_over_nodes(const Model& model, const std::vector<Held>& held) {
+  std::vector<Held> spread;
+  for (const Held& h : held) {
+    model.nodes.for_each_corner(model.mesh, model.nodes.leader(h.corner), [&](Index corner) {
+      spread.push_back({corner, h.direction, h.motion});
+    });
+  }
+  return spread;
 }
 
 Index record_of(Model& model, Index block) {
@@ -62,26 +73,27 @@ SupportSet::SupportSet(Model& model, std::vector<PrescribedMotion> motions, std:
       tables_.push_back(motion.name);
     }
   }
+  held = spread_over_nodes(model, held);
   std::stable_sort(held.begin(), held.end(),
-                   [](const Held& a, const Held& b) { return a.vertex < b.vertex; });
+                   [](const Held& a, const Held& b) { return a.corner < b.corner; });
   for (std::size_t i = 0; i < held.size();) {
     std::size_t end = i;
-    while (end < held.size() && held[end].vertex == held[i].vertex) {
+    while (end < held.size() && held[end].corner == held[i].corner) {
       ++end;
     }
-    add_vertex(model, std::span<const Held>(held).subspan(i, end - i));
+    add_corner(model, std::span<const Held>(held).subspan(i, end - i));
     i = end;
   }
 }
 
-void SupportSet::add_vertex(Model& model, std::span<const Held> held) {
+void SupportSet::add_corner(Model& model, std::span<const Held> held) {
   std::vector<Held> kept;
   for (const Held& h : held) {
     bool is_new = true;
     for (const Held& other : kept) {
       if (std::abs(cross(h.direction, other.direction)) < parallel) {
         if (!agree(motions_[at(h.motion)], motions_[at(other.motion)])) {
-          refuse(model, h.vertex, motions_[at(other.motion)], motions_[at(h.motion)]);
+          refuse(model, h.corner, motions_[at(other.motion)], motions_[at(h.motion)]);
         }
         is_new = false;
       }
@@ -90,7 +102,7 @@ void SupportSet::add_vertex(Model& model, std::span<const Held> held) {
     const auto rests = [&](const Held& k) { return is_rest(motions_[at(k.motion)]); };
     if (is_new && kept.size() == 2) {
       if (!rests(h) || !rests(kept[0]) || !rests(kept[1])) {
-        refuse(model, h.vertex, motions_[at(kept[0].motion)], motions_[at(h.motion)]);
+        refuse(model, h.corner, motions_[at(kept[0].motion)], motions_[at(h.motion)]);
       }
       is_new = false;
     }
@@ -113,15 +125,13 @@ void SupportSet::add_vertex(Model& model, std::span<const Held> held) {
     entry.along[0] = scale * Point{d1.y, -d1.x};
     entry.along[1] = scale * Point{-d0.y, d0.x};
   }
-  for (const Index corner : model.mesh.vertex_corners.row(kept[0].vertex)) {
-    const Index record = record_of(model, mesh::triangle_of(corner) / block_width);
-    entry.corner = corner;
-    entry.place = record * mesh::corners_per_block + corner % mesh::corners_per_block;
-    model.constraints.pxx[at(entry.place)] = free.xx;
-    model.constraints.pyy[at(entry.place)] = free.yy;
-    model.constraints.pxy[at(entry.place)] = free.xy;
-    entries_.push_back(entry);
-  }
+  entry.corner = kept[0].corner;
+  const Index record = record_of(model, mesh::triangle_of(entry.corner) / block_width);
+  entry.place = record * mesh::corners_per_block + entry.corner % mesh::corners_per_block;
+  model.constraints.pxx[at(entry.place)] = free.xx;
+  model.constraints.pyy[at(entry.place)] = free.yy;
+  model.constraints.pxy[at(entry.place)] = free.xy;
+  entries_.push_back(entry);
 }
 
 void SupportSet::apply(Model& model, double dt) const {

@@ -19,18 +19,18 @@ struct PrescribedMotion {
   Schedule value;  ///< m/s or m
 };
 
-/// One direction along which the corners of a vertex move as prescribed.
+/// One direction along which a corner, and with it its node, moves as prescribed.
 struct Held {
-  Index vertex = 0;
+  Index corner = 0;
   Point direction;   ///< unit vector
   Index motion = 0;  ///< index of the prescribed motions
 };
 
-/// Corners held at the same vertex by at most two directions.
+/// Corners held along at most two directions each.
 class SupportSet {
 public:
   SupportSet() = default;
-  /// Throws InputError when a vertex is held along the same direction by two motions that are not
+  /// Throws InputError when a corner is held along the same direction by two motions that are not
   /// the same, or along three different directions by motions other than rest.
   SupportSet(Model& model, std::vector<PrescribedMotion> motions, std::vector<Held> held);
 
@@ -55,7 +55,7 @@ private:
     std::array<Index, 2> motion{mesh::none, mesh::none};
     std::array<Point, 2> along{};  // velocity of the corner per prescribed velocity
   };
-  void add_vertex(Model& model, std::span<const Held> held);
+  void add_corner(Model& model, std::span<const Held> held);
   std::vector<PrescribedMotion> motions_;
   std::vector<std::string> tables_;
   std::vector<Entry> entries_;
