@@ -31,13 +31,9 @@ template <class V>
 void describe(V& option, ScheduleTable& m) {
   option(m.times, Quantity{"times", "s", finite, Need::optional,
                            "Times of the entries, strictly increasing."});
-  option(m.values, Quantity{"values",
-                            m.quantity.unit,
-                            m.quantity.bounds,
-                            Need::optional,
-                            "Values at these times; the first and the last hold before and after.",
-                            {},
-                            m.quantity.dimension});
+  option(m.values,
+         Quantity{"values", m.quantity.unit, m.quantity.bounds, Need::optional,
+                  "Values at these times; the first and the last hold before and after."});
   option(m.file, Text{"file", Need::optional,
                       "A CSV file that holds times and values; relative to the case file."});
   option(m.time_column, Text{"time_column", Need::optional,

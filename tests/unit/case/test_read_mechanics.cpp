@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/case/documents.hpp"
+
 #include <fstream>
 #include <iterator>
 
@@ -113,6 +115,10 @@ TEST(ReadMechanics, FillsStressDampingContactAndTime) {
   EXPECT_EQ(whole().time.mass_scaling_step, 1e-7);
   EXPECT_EQ(read(mechanics_case, {"damping.element_viscosity=3"}).setup.damping.element_viscosity,
             3.0);
+}
+
+TEST(ReadMechanics, ReadAgainFromItsResolvedFormItIsTheSame) {
+  EXPECT_EQ(read(resolved_toml(whole())).setup, whole());
 }
 
 TEST(ReadMechanics, KeepsDefaultsOfWhatIsNotGiven) {
