@@ -161,6 +161,7 @@ void add_fractures(std::vector<Applicability>& rules) {
 
 std::vector<Applicability> needs_of_physics() {
   std::vector<Applicability> rules;
+  rules.reserve(of_seepage.size() + of_mechanics.size());
   for (const std::string_view option : of_seepage) {
     rules.push_back(
         {std::string(option), {"model.physics"}, is_seepage, std::string(needs_seepage)});
