@@ -206,9 +206,11 @@ void Contact::carry_over(const PairList& list, PairStates& states) {
       states.touching[next] = pairs_.touching[old];
       states.edge[next] = pairs_.edge[old];
       states.start[next] = PairStart::none;
+      states.state[next].loss = 0.0;
     } else {
       friction_dissipation_ += stored_energy(pairs_.state[old]);
     }
+    friction_dissipation_ += pairs_.state[old].loss;
   }
 }
 
@@ -266,8 +268,6 @@ void Contact::advance(const mesh::Mesh& mesh, const CornerMotion& motion, double
     execution.for_each("contact force", count,
                        PairForceKernel{list_.pair.data(), placed_.data(), surface_.data(),
                                        velocity_.data(), handed_, dt, &pairs_});
-    friction_dissipation_ +=
-        execution.sum(count, [&](Index p) { return pairs_.state[at(p)].loss; });
   }
   gather(execution);
 }

@@ -29,7 +29,7 @@ struct PairState {
   double tangential = 0.0;  ///< N/m, on the first triangle along t: f turned by +90 degrees
   double stiffness = 0.0;   ///< Pa, of the tangential spring at the last step
   double depth = 0.0;       ///< m, extent of the overlap along f; 0 without overlap
-  double loss = 0.0;        ///< J/m, tangential energy lost in the last step
+  double loss = 0.0;        ///< J/m, tangential energy lost since the search
 };
 
 /// Energy in the tangential spring, J/m.
