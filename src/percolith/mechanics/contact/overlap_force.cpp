@@ -30,16 +30,12 @@ bool parts(const PlacedPair& pair, std::size_t edge) {
 using Row = EdgeParts::Row;
 using Real = VectorLane::Real;
 
-Real lower(Real a, Real b) {
-  return select(b < a, b, a);
-}
-Real upper(Real a, Real b) {
-  return select(a < b, b, a);
-}
+using std::experimental::max;
+using std::experimental::min;
 
 /// Area coordinates in the other triangle at both ends of each edge, [coordinate][edge].
 struct Coordinates {
-  alignas(64) std::array<Row, 3> first{}, last{};
+  alignas(64) std::array<Row, 3> first, last;
 };
 
 /// Integrals along each edge, over the share t of it, of the potential of the other triangle, and
@@ -56,7 +52,7 @@ struct Lambda {
     const Real a = at_start[0] + slope[0] * t;
     const Real b = at_start[1] + slope[1] * t;
     const Real c = at_start[2] + slope[2] * t;
-    return Real(3.0) * upper(Real(0.0), lower(a, lower(b, c)));
+    return Real(3.0) * max(Real(0.0), min(a, min(b, c)));
   }
 };
 
@@ -70,9 +66,9 @@ Part clip(const std::array<Real, 3>& first, const std::array<Real, 3>& last) {
     const Real a = first[i];
     const Real b = last[i];
     const Real crossing = a / select(a == b, Real(1.0), a - b);
-    part.start = select(a < Real(0.0), upper(part.start, crossing), part.start);
-    part.end = select(b < Real(0.0), lower(part.end, crossing), part.end);
-    part.end = select(upper(a, b) <= Real(0.0), Real(0.0), part.end);
+    part.start = select(a < Real(0.0), max(part.start, crossing), part.start);
+    part.end = select(b < Real(0.0), min(part.end, crossing), part.end);
+    part.end = select(max(a, b) <= Real(0.0), Real(0.0), part.end);
   }
   const auto inside = part.start < part.end;
   return {select(inside, part.start, Real(0.0)), select(inside, part.end, Real(0.0))};
@@ -83,7 +79,7 @@ Real crossing(const Lambda& lambda, std::size_t i, std::size_t j, const Part& pa
   const Real slope = lambda.slope[i] - lambda.slope[j];
   const Real t =
       (lambda.at_start[j] - lambda.at_start[i]) / select(slope == Real(0.0), Real(1.0), slope);
-  return upper(part.start, lower(part.end, t));
+  return max(part.start, min(part.end, t));
 }
 
 /// Adds the pieces between places where another coordinate becomes the smallest: on each the
@@ -92,9 +88,9 @@ void integrate(const Lambda& lambda, const Part& part, Real& sum, Real& moment) 
   const Real a = crossing(lambda, 0, 1, part);
   const Real b = crossing(lambda, 0, 2, part);
   const Real c = crossing(lambda, 1, 2, part);
-  const Real low = lower(a, b);
-  const Real high = upper(a, b);
-  const std::array<Real, 5> t{part.start, lower(low, c), upper(low, lower(high, c)), upper(high, c),
+  const Real low = min(a, b);
+  const Real high = max(a, b);
+  const std::array<Real, 5> t{part.start, min(low, c), max(low, min(high, c)), max(high, c),
                               part.end};
   sum = Real(0.0);
   moment = Real(0.0);
@@ -148,6 +144,16 @@ void set_edges(const Corners& own, const Corners& other, std::size_t place,
   }
 }
 
+/// Empties the places that hold no edge.
+void clear_rest(Coordinates& coordinates, EdgeParts& rim) {
+  for (std::size_t e = 6; e < block_width; ++e) {
+    rim.x[e] = rim.y[e] = rim.dx[e] = rim.dy[e] = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      coordinates.first[i][e] = coordinates.last[i][e] = 0.0;
+    }
+  }
+}
+
 /// Adds what the edges of one triangle carry: `penalty` is that of the other one.
 void add_edges(const Coordinates& coordinates, const Loads& loads, double penalty, std::size_t own,
                OverlapForce& result) {
@@ -191,6 +197,7 @@ OverlapForce overlap_force(const PlacedPair& pair, const std::array<double, 2>& 
   Coordinates coordinates;
   set_edges(pair.first, pair.second, 0, coordinates, result.rim);
   set_edges(pair.second, pair.first, 3, coordinates, result.rim);
+  clear_rest(coordinates, result.rim);
   const Loads loads = integrate_edges(coordinates, result.rim);
   add_edges(coordinates, loads, penalty[1], 0, result);
   add_edges(coordinates, loads, penalty[0], 1, result);
@@ -221,8 +228,8 @@ double extent_along(const OverlapForce& overlap, const Point& direction) {
     const Real end = VectorLane::load(&rim.end[e]);
     const Real a = place + start * step;
     const Real b = place + end * step;
-    low = select(start < end, lower(low, lower(a, b)), low);
-    high = select(start < end, upper(high, upper(a, b)), high);
+    low = select(start < end, min(low, min(a, b)), low);
+    high = select(start < end, max(high, max(a, b)), high);
   }
   return std::max(0.0, std::experimental::hmax(high) - std::experimental::hmin(low));
 }

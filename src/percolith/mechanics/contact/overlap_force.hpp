@@ -18,9 +18,9 @@ namespace percolith::mechanics {
 /// the second, the rest empty. Laid out for vector registers.
 struct alignas(64) EdgeParts {
   using Row = std::array<double, block_width>;
-  Row x{}, y{};        ///< m, where the edge starts
-  Row dx{}, dy{};      ///< m, from there to its end
-  Row start{}, end{};  ///< the part, as shares of the edge; equal where it is empty
+  Row x, y;        ///< m, where the edge starts
+  Row dx, dy;      ///< m, from there to its end
+  Row start, end;  ///< the part, as shares of the edge; equal where it is empty
 };
 
 /// The normal force of two triangles that overlap, (4), with the potential (5), and where it acts.
