@@ -154,25 +154,34 @@ void clear_rest(Coordinates& coordinates, EdgeParts& rim) {
   }
 }
 
-/// Adds what the edges of one triangle carry: `penalty` is that of the other one.
-void add_edges(const Coordinates& coordinates, const Loads& loads, double penalty, std::size_t own,
-               OverlapForce& result) {
-  const std::size_t other = 1 - own;
+/// A force and its weight at the centre of pressure; four numbers fill a register.
+struct alignas(32) Push {
+  std::array<double, 4> value{};
+  void add(double share, const Push& push) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      value[i] += share * push.value[i];
+    }
+  }
+};
+
+using CornerPushes = std::array<Push, 3>;
+
+/// Adds what the edges from place `first` on carry: `penalty` is that of the other triangle.
+void add_edges(const EdgeParts& rim, const Coordinates& coordinates, const Loads& loads,
+               double penalty, std::size_t first, CornerPushes& own, CornerPushes& other) {
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t e = 3 * own + k;
-    const Point edge{result.rim.dx[e], result.rim.dy[e]};
-    const Point push = -penalty * clockwise(edge);
-    const double weight = penalty * std::sqrt(dot(edge, edge));
+    const std::size_t e = first + k;
+    const double x = -penalty * rim.dy[e];
+    const double y = penalty * rim.dx[e];
+    const double weight = std::sqrt(x * x + y * y);
+    const Push on_own{{x, y, weight, 0.0}};
+    const Push on_other{{-x, -y, weight, 0.0}};
     const double at_end = loads.moment[e];
     const double at_start = loads.sum[e] - at_end;
-    result.on[own][k] = result.on[own][k] + at_start * push;
-    result.on[own][next(k)] = result.on[own][next(k)] + at_end * push;
-    result.centre[own][k] += at_start * weight;
-    result.centre[own][next(k)] += at_end * weight;
+    own[k].add(at_start, on_own);
+    own[next(k)].add(at_end, on_own);
     for (std::size_t i = 0; i < 3; ++i) {
-      const double share = coordinates.first[i][e] * at_start + coordinates.last[i][e] * at_end;
-      result.on[other][i] = result.on[other][i] - share * push;
-      result.centre[other][i] += share * weight;
+      other[i].add(coordinates.first[i][e] * at_start + coordinates.last[i][e] * at_end, on_other);
     }
   }
 }
@@ -199,16 +208,19 @@ OverlapForce overlap_force(const PlacedPair& pair, const std::array<double, 2>& 
   set_edges(pair.second, pair.first, 3, coordinates, result.rim);
   clear_rest(coordinates, result.rim);
   const Loads loads = integrate_edges(coordinates, result.rim);
-  add_edges(coordinates, loads, penalty[1], 0, result);
-  add_edges(coordinates, loads, penalty[0], 1, result);
-  result.total = result.on[0][0] + result.on[0][1] + result.on[0][2];
-  for (auto& weights : result.centre) {
-    const double sum = weights[0] + weights[1] + weights[2];
+  std::array<CornerPushes, 2> push;
+  add_edges(result.rim, coordinates, loads, penalty[1], 0, push[0], push[1]);
+  add_edges(result.rim, coordinates, loads, penalty[0], 3, push[1], push[0]);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const CornerPushes& p = push[side];
+    const double sum = p[0].value[2] + p[1].value[2] + p[2].value[2];
     const double inverse = sum > 0.0 ? 1.0 / sum : 0.0;
-    for (double& w : weights) {
-      w *= inverse;
+    for (std::size_t k = 0; k < 3; ++k) {
+      result.on[side][k] = {p[k].value[0], p[k].value[1]};
+      result.centre[side][k] = inverse * p[k].value[2];
     }
   }
+  result.total = result.on[0][0] + result.on[0][1] + result.on[0][2];
   return result;
 }
 

@@ -25,10 +25,10 @@ struct alignas(64) EdgeParts {
 
 /// The normal force of two triangles that overlap, (4), with the potential (5), and where it acts.
 struct OverlapForce {
-  std::array<std::array<Point, 3>, 2> on{};  ///< N/m, [triangle][corner]
-  Point total;                               ///< N/m, on the first triangle
+  std::array<std::array<Point, 3>, 2> on;  ///< N/m, [triangle][corner]
+  Point total;                             ///< N/m, on the first triangle
   /// Weights of the corners of each triangle at the centre of pressure; all zero without overlap.
-  std::array<std::array<double, 3>, 2> centre{};
+  std::array<std::array<double, 3>, 2> centre;
   EdgeParts rim;  ///< what bounds the overlap
 };
 

@@ -68,7 +68,7 @@ struct Surface {
 /// Velocities of the corners of a candidate, m/s.
 using CornerVelocities = std::array<Point, 3>;
 
-/// The penalty of a pair: both in series.
+/// The penalty of a pair: both in series, twice as stiff as the softer one at most.
 inline double in_series(double a, double b) {
   return a + b > 0.0 ? 2.0 * a * b / (a + b) : 0.0;
 }
