@@ -3,8 +3,6 @@
 
 #include "percolith/core/index.hpp"
 
-#include <experimental/simd>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,94 +26,98 @@ bool parts(const PlacedPair& pair, std::size_t edge) {
 }
 
 using Row = EdgeParts::Row;
+
 using Real = VectorLane::Real;
 
-using std::experimental::max;
-using std::experimental::min;
+// A second argument that is no number loses.
+inline Real lower(Real a, Real b) {
+  return select(b < a, b, a);
+}
+inline Real upper(Real a, Real b) {
+  return select(a < b, b, a);
+}
 
 /// Area coordinates in the other triangle at both ends of each edge, [coordinate][edge].
 struct Coordinates {
   alignas(64) std::array<Row, 3> first, last;
 };
 
-/// Integrals along each edge, over the share t of it, of the potential of the other triangle, and
-/// of that times t.
+/// Integrals along each edge, over the share t of it: 2/3 of that of the potential of the other
+/// triangle, and twice that of the potential times t.
 struct Loads {
   alignas(64) Row sum, moment;
 };
 
-/// Area coordinates along edges: lambda_i = at_start_i + slope_i t.
+/// Area coordinates along edges: lambda_i = value_i + slope_i t, 0 <= t <= 1.
 struct Lambda {
-  std::array<Real, 3> at_start, slope;
-  /// The potential phi; never negative, even where rounding left the triangle.
-  [[nodiscard]] Real potential(Real t) const {
-    const Real a = at_start[0] + slope[0] * t;
-    const Real b = at_start[1] + slope[1] * t;
-    const Real c = at_start[2] + slope[2] * t;
-    return Real(3.0) * max(Real(0.0), min(a, min(b, c)));
+  std::array<Real, 3> value, slope;
+  /// A third of the potential phi; never negative, even where rounding left the triangle.
+  [[nodiscard]] Real smallest(Real t) const {
+    const Real a = value[0] + slope[0] * t;
+    const Real b = value[1] + slope[1] * t;
+    const Real c = value[2] + slope[2] * t;
+    return upper(Real{}, lower(a, lower(b, c)));
   }
 };
 
+/// From 0 to 1 a whole edge.
 struct Part {
   Real start, end;
 };
 
-Part clip(const std::array<Real, 3>& first, const std::array<Real, 3>& last) {
-  Part part{Real(0.0), Real(1.0)};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Real a = first[i];
-    const Real b = last[i];
-    const Real crossing = a / select(a == b, Real(1.0), a - b);
-    part.start = select(a < Real(0.0), max(part.start, crossing), part.start);
-    part.end = select(b < Real(0.0), min(part.end, crossing), part.end);
-    part.end = select(max(a, b) <= Real(0.0), Real(0.0), part.end);
-  }
-  const auto inside = part.start < part.end;
-  return {select(inside, part.start, Real(0.0)), select(inside, part.end, Real(0.0))};
+/// The part where a coordinate, given at both ends, is not negative. A quotient by zero is not
+/// used.
+inline Part clip(Part part, Real first, Real last) {
+  const Real zero = first / (first - last);
+  const Real end = select(last < Real{}, lower(part.end, zero), part.end);
+  return {select(first < Real{}, upper(part.start, zero), part.start),
+          select(upper(first, last) <= Real{}, Real{}, end)};
 }
 
 /// Where two coordinates are equal, kept within the part.
-Real crossing(const Lambda& lambda, std::size_t i, std::size_t j, const Part& part) {
-  const Real slope = lambda.slope[i] - lambda.slope[j];
-  const Real t =
-      (lambda.at_start[j] - lambda.at_start[i]) / select(slope == Real(0.0), Real(1.0), slope);
-  return max(part.start, min(part.end, t));
+inline Real crossing(const Lambda& lambda, std::size_t i, std::size_t j, const Part& part) {
+  const Real t = (lambda.value[j] - lambda.value[i]) / (lambda.slope[i] - lambda.slope[j]);
+  return upper(part.start, lower(part.end, t));
 }
 
-/// Adds the pieces between places where another coordinate becomes the smallest: on each the
-/// potential is linear.
-void integrate(const Lambda& lambda, const Part& part, Real& sum, Real& moment) {
+/// Adds the pieces between the places where another coordinate becomes the smallest: on each the
+/// potential is linear. Gives 2/3 of the integral and 2 of the moment.
+inline void integrate(const Lambda& lambda, const Part& part, Real& sum, Real& moment) {
   const Real a = crossing(lambda, 0, 1, part);
   const Real b = crossing(lambda, 0, 2, part);
   const Real c = crossing(lambda, 1, 2, part);
-  const Real low = min(a, b);
-  const Real high = max(a, b);
-  const std::array<Real, 5> t{part.start, min(low, c), max(low, min(high, c)), max(high, c),
+  const Real low = lower(a, b);
+  const Real high = upper(a, b);
+  const std::array<Real, 5> t{part.start, lower(low, c), upper(low, lower(high, c)), upper(high, c),
                               part.end};
-  sum = Real(0.0);
-  moment = Real(0.0);
-  Real before = lambda.potential(t[0]);
+  sum = Real{};
+  moment = Real{};
+  Real before = lambda.smallest(t[0]);
   for (std::size_t k = 1; k < t.size(); ++k) {
-    const Real now = lambda.potential(t[k]);
-    const Real half = Real(0.5) * (t[k] - t[k - 1]);
-    sum += half * (before + now);
-    moment +=
-        half * Real(1.0 / 3.0) * (t[k - 1] * (before + before + now) + t[k] * (before + now + now));
+    const Real now = lambda.smallest(t[k]);
+    const Real length = t[k] - t[k - 1];
+    const Real both = before + now;
+    sum += length * both;
+    moment += length * (t[k - 1] * (both + before) + t[k] * (both + now));
     before = now;
   }
 }
 
 Loads integrate_edges(const Coordinates& coordinates, EdgeParts& rim) {
+  constexpr Row whole{1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
   Loads loads;
   for (std::size_t e = 0; e < block_width; e += at(VectorLane::width)) {
     Lambda lambda;
-    std::array<Real, 3> last;
+    Part part{Real{}, VectorLane::load(&whole[e])};
     for (std::size_t i = 0; i < 3; ++i) {
-      lambda.at_start[i] = VectorLane::load(&coordinates.first[i][e]);
-      last[i] = VectorLane::load(&coordinates.last[i][e]);
-      lambda.slope[i] = last[i] - lambda.at_start[i];
+      const Real first = VectorLane::load(&coordinates.first[i][e]);
+      const Real last = VectorLane::load(&coordinates.last[i][e]);
+      lambda.value[i] = first;
+      lambda.slope[i] = last - first;
+      part = clip(part, first, last);
     }
-    const Part part = clip(lambda.at_start, last);
+    const auto inside = part.start < part.end;
+    part = {select(inside, part.start, Real{}), select(inside, part.end, Real{})};
     Real sum;
     Real moment;
     integrate(lambda, part, sum, moment);
@@ -176,8 +178,8 @@ void add_edges(const EdgeParts& rim, const Coordinates& coordinates, const Loads
     const double weight = std::sqrt(x * x + y * y);
     const Push on_own{{x, y, weight, 0.0}};
     const Push on_other{{-x, -y, weight, 0.0}};
-    const double at_end = loads.moment[e];
-    const double at_start = loads.sum[e] - at_end;
+    const double at_end = 0.5 * loads.moment[e];
+    const double at_start = 1.5 * loads.sum[e] - at_end;
     own[k].add(at_start, on_own);
     own[next(k)].add(at_end, on_own);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -225,25 +227,19 @@ OverlapForce overlap_force(const PlacedPair& pair, const std::array<double, 2>& 
 }
 
 double extent_along(const OverlapForce& overlap, const Point& direction) {
-  constexpr double far = std::numeric_limits<double>::infinity();
   const EdgeParts& rim = overlap.rim;
-  Real low(far);
-  Real high(-far);
-  for (std::size_t e = 0; e < block_width; e += at(VectorLane::width)) {
-    const auto along = [&](const Row& x, const Row& y) {
-      return Real(direction.x) * VectorLane::load(&x[e]) +
-             Real(direction.y) * VectorLane::load(&y[e]);
-    };
-    const Real place = along(rim.x, rim.y);
-    const Real step = along(rim.dx, rim.dy);
-    const Real start = VectorLane::load(&rim.start[e]);
-    const Real end = VectorLane::load(&rim.end[e]);
-    const Real a = place + start * step;
-    const Real b = place + end * step;
-    low = select(start < end, min(low, min(a, b)), low);
-    high = select(start < end, max(high, max(a, b)), high);
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (std::size_t e = 0; e < 6; ++e) {
+    const double place = direction.x * rim.x[e] + direction.y * rim.y[e];
+    const double step = direction.x * rim.dx[e] + direction.y * rim.dy[e];
+    const double a = place + rim.start[e] * step;
+    const double b = place + rim.end[e] * step;
+    const bool inside = rim.start[e] < rim.end[e];
+    low = inside ? std::min(low, std::min(a, b)) : low;
+    high = inside ? std::max(high, std::max(a, b)) : high;
   }
-  return std::max(0.0, std::experimental::hmax(high) - std::experimental::hmin(low));
+  return std::max(0.0, high - low);
 }
 
 }  // namespace percolith::mechanics
