@@ -3,6 +3,8 @@
 
 #include "percolith/core/index.hpp"
 
+#include <experimental/simd>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -168,9 +170,12 @@ struct alignas(32) Push {
 
 using CornerPushes = std::array<Push, 3>;
 
-/// Adds what the edges from place `first` on carry: `penalty` is that of the other triangle.
-void add_edges(const EdgeParts& rim, const Coordinates& coordinates, const Loads& loads,
-               double penalty, std::size_t first, CornerPushes& own, CornerPushes& other) {
+/// What the edges from place `first` on carry, on the corners of their own triangle and of the
+/// other one, whose penalty is given.
+std::array<CornerPushes, 2> edge_pushes(const EdgeParts& rim, const Coordinates& coordinates,
+                                        const Loads& loads, double penalty, std::size_t first) {
+  CornerPushes own;
+  CornerPushes other;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t e = first + k;
     const double x = -penalty * rim.dy[e];
@@ -186,6 +191,7 @@ void add_edges(const EdgeParts& rim, const Coordinates& coordinates, const Loads
       other[i].add(coordinates.first[i][e] * at_start + coordinates.last[i][e] * at_end, on_other);
     }
   }
+  return {own, other};
 }
 
 }  // namespace
@@ -210,11 +216,13 @@ OverlapForce overlap_force(const PlacedPair& pair, const std::array<double, 2>& 
   set_edges(pair.second, pair.first, 3, coordinates, result.rim);
   clear_rest(coordinates, result.rim);
   const Loads loads = integrate_edges(coordinates, result.rim);
-  std::array<CornerPushes, 2> push;
-  add_edges(result.rim, coordinates, loads, penalty[1], 0, push[0], push[1]);
-  add_edges(result.rim, coordinates, loads, penalty[0], 3, push[1], push[0]);
+  const auto from_first = edge_pushes(result.rim, coordinates, loads, penalty[1], 0);
+  const auto from_second = edge_pushes(result.rim, coordinates, loads, penalty[0], 3);
   for (std::size_t side = 0; side < 2; ++side) {
-    const CornerPushes& p = push[side];
+    CornerPushes p = from_first[side];
+    for (std::size_t k = 0; k < 3; ++k) {
+      p[k].add(1.0, from_second[1 - side][k]);
+    }
     const double sum = p[0].value[2] + p[1].value[2] + p[2].value[2];
     const double inverse = sum > 0.0 ? 1.0 / sum : 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -227,19 +235,25 @@ OverlapForce overlap_force(const PlacedPair& pair, const std::array<double, 2>& 
 }
 
 double extent_along(const OverlapForce& overlap, const Point& direction) {
+  constexpr double far = std::numeric_limits<double>::infinity();
   const EdgeParts& rim = overlap.rim;
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (std::size_t e = 0; e < 6; ++e) {
-    const double place = direction.x * rim.x[e] + direction.y * rim.y[e];
-    const double step = direction.x * rim.dx[e] + direction.y * rim.dy[e];
-    const double a = place + rim.start[e] * step;
-    const double b = place + rim.end[e] * step;
-    const bool inside = rim.start[e] < rim.end[e];
-    low = inside ? std::min(low, std::min(a, b)) : low;
-    high = inside ? std::max(high, std::max(a, b)) : high;
+  Real low(far);
+  Real high(-far);
+  for (std::size_t e = 0; e < block_width; e += at(VectorLane::width)) {
+    const auto along = [&](const Row& x, const Row& y) {
+      return Real(direction.x) * VectorLane::load(&x[e]) +
+             Real(direction.y) * VectorLane::load(&y[e]);
+    };
+    const Real place = along(rim.x, rim.y);
+    const Real step = along(rim.dx, rim.dy);
+    const Real start = VectorLane::load(&rim.start[e]);
+    const Real end = VectorLane::load(&rim.end[e]);
+    const Real a = place + start * step;
+    const Real b = place + end * step;
+    low = select(start < end, lower(low, lower(a, b)), low);
+    high = select(start < end, upper(high, upper(a, b)), high);
   }
-  return std::max(0.0, high - low);
+  return std::max(0.0, std::experimental::hmax(high) - std::experimental::hmin(low));
 }
 
 }  // namespace percolith::mechanics

@@ -70,7 +70,7 @@ using CornerVelocities = std::array<Point, 3>;
 
 /// The penalty of a pair: both in series, twice as stiff as the softer one at most.
 inline double in_series(double a, double b) {
-  return a + b > 0.0 ? 2.0 * a * b / (a + b) : 0.0;
+  return a == b ? a : 2.0 * a * b / (a + b);
 }
 
 /// The weights of the potentials of a pair, see `overlap_force`.
