@@ -122,7 +122,7 @@ TEST(ContactSearch, OnePlatenDoesNotPutAllIntoOneCell) {
   }
   const CellGrid grid(boxes);
   std::size_t fullest = 0;
-  const auto all = grid.range_of(boxes.back());
+  const auto all = grid.range_of(static_cast<Index>(boxes.size()) - 1);
   for (Index row = all.first_row; row <= all.last_row; ++row) {
     for (Index column = all.first_column; column <= all.last_column; ++column) {
       fullest = std::max(fullest, grid.cell(column, row).size());
