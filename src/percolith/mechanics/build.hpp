@@ -17,7 +17,7 @@ struct Ingredients {
   std::vector<JointKind> kind;          ///< kinds of joints, at least one
   std::vector<Index> joint_kind;        ///< per joint
   std::vector<JointState> joint_state;
-  std::vector<double> joint_factor;     ///< per joint, on strengths; empty: all 1
+  std::vector<double> joint_factor;  ///< per joint, on strengths; empty: all 1
   Damping damping;
 };
 
