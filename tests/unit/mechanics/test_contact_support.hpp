@@ -114,6 +114,9 @@ public:
     return at(mesh::corner_of(number_[at(triangle)], k));
   }
   [[nodiscard]] CornerMotion motion() const { return {ux_, uy_, vx_, vy_}; }
+  [[nodiscard]] double potential_energy() const {
+    return contact_.potential_energy(mesh_, motion());
+  }
   [[nodiscard]] const mesh::Mesh& mesh() const { return mesh_; }
   [[nodiscard]] Index triangle(Index given) const { return number_[at(given)]; }
   Contact& contact() { return contact_; }

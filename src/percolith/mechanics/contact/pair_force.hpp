@@ -36,7 +36,7 @@ inline constexpr Index pair_chunk = 256;
 /// the pairs that may meet are put side by side, as many as a register holds.
 struct PairForces {
   PairStates* states;
-  PairRecords* records;
+  PairForceBlock* forces;  ///< room for all pairs
   const CornerPlaces* undeformed;
   CornerMotion motion;
   std::span<const PairHandOver> handed;  ///< ascending pairs
@@ -63,10 +63,12 @@ struct PairForces {
   }
 
 private:
-  /// Handles the pairs of a lane, of which `count` are different, and puts their records from
+  /// Handles the pairs of a lane, of which `count` are different, and puts their forces from
   /// `place` on.
   template <class Lane>
   void advance(const Index* pair, Index count, Index place) const;
+  template <class Lane>
+  void note(const Index* pair, Index count, Index place, typename Lane::Real touching) const;
 };
 
 extern template void PairForces::advance<ScalarLane>(const Index*, Index, Index) const;
