@@ -60,7 +60,7 @@ std::vector<Index> triangles_at(const mesh::Mesh& mesh, const ContactTopology& t
 struct Gather {
   const Index* blocks;
   const PairRows* rows;
-  const Index* place;
+  const Index* place;  // of the forces of each pair
   const double* force;
   Index triangles;
   double* force_x;
@@ -97,8 +97,8 @@ private:
       const auto part = row.first(std::min(row.size(), most));
       std::size_t count = 0;
       for (const Index entry : part) {
-        const Index p = place[entry / 2];
-        found[count] = force_at(p) + entry % 2 * PairForceBlock::side;
+        const Index p = place[pair_of(entry)];
+        found[count] = p + side_of(entry) * PairForceBlock::side;
         count += p != mesh::none ? 1 : 0;
       }
       for (std::size_t i = 0; i < count; ++i) {
@@ -200,7 +200,7 @@ void Contact::advance(const mesh::Mesh& mesh, const CornerMotion& motion, double
     return;
   }
   execution.for_each("contact force", static_cast<Index>(blocks_.size()),
-                     Gather{blocks_.data(), &rows_, states_.place.data(),
+                     Gather{blocks_.data(), &rows_, states_.force.data(),
                             forces_.front().value.data(), mesh.triangles(), force_x_.data(),
                             force_y_.data(), acts_.data()});
 }

@@ -28,7 +28,7 @@ double Contact::stored_tangential() const {
 double Contact::potential_energy(const mesh::Mesh& mesh, const CornerMotion& motion) const {
   CompensatedSum sum;
   for (Index p = 0; p < states_.size(); ++p) {
-    if (states_.place[at(p)] == mesh::none) {
+    if (states_.force[at(p)] == mesh::none) {
       continue;
     }
     const auto [a, b] = states_.triangles(p);
@@ -52,8 +52,8 @@ double Contact::potential_energy(const mesh::Mesh& mesh, const CornerMotion& mot
 }
 
 Index Contact::touching_pairs() const {
-  return static_cast<Index>(std::count_if(states_.place.begin(), states_.place.end(),
-                                          [](Index place) { return place != mesh::none; }));
+  return static_cast<Index>(std::count_if(states_.force.begin(), states_.force.end(),
+                                          [](Index force) { return force != mesh::none; }));
 }
 
 double Contact::deepest() const {

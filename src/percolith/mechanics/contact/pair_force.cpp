@@ -184,8 +184,9 @@ void PairForces::note(const Index* pair, Index count, Index place,
                       typename Lane::Real touching) const {
   std::array<double, Lane::width> touches;
   Lane::store(touches.data(), touching);
+  const Index first = force_at(place);
   for (Index i = 0; i < count; ++i) {
-    states->place[at(pair[i])] = touches[at(i)] > 0.0 ? place + i : mesh::none;
+    states->force[at(pair[i])] = touches[at(i)] > 0.0 ? first + i : mesh::none;
     if (starts) {
       states->start[at(pair[i])] = PairStart::none;
     }

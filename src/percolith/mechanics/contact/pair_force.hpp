@@ -58,11 +58,22 @@ struct PairForces {
     // What is left of the last register repeats a pair of it, and comes to the same.
     std::fill_n(active.begin() + count, block_width, active[at(count) - 1]);
     for (Index k = 0; k < count; k += Lane::width) {
+      fetch(active.data() + std::min(k + pairs_ahead, count));
       advance<Lane>(active.data() + k, std::min(count - k, Lane::width), lane.first + k);
     }
   }
 
 private:
+  /// So many pairs further on is what is asked for early.
+  static constexpr Index pairs_ahead = 2 * block_width;
+
+  /// Asks for the lines of a block of pairs.
+  void fetch(const Index* pair) const {
+    for (Index i = 0; i < block_width; ++i) {
+      prefetch(&states->nature[at(pair[i])].apart.x);
+      prefetch(&states->state[at(pair[i])].factor);
+    }
+  }
   /// Handles the pairs of a lane, of which `count` are different, and puts their forces from
   /// `place` on.
   template <class Lane>

@@ -10,7 +10,7 @@ void PairStates::reserve(std::size_t pairs) {
   state.reserve(pairs);
   start.reserve(pairs);
   rest.reserve(pairs);
-  place.reserve(pairs);
+  force.reserve(pairs);
 }
 
 void PairStates::add(Index first_slot, Index second_slot, const Surface& a, const Surface& b) {
@@ -23,7 +23,7 @@ void PairStates::add(Index first_slot, Index second_slot, const Surface& a, cons
   state.emplace_back();
   start.push_back(PairStart::fresh);
   rest.push_back(0.0);
-  place.push_back(mesh::none);
+  force.push_back(mesh::none);
 }
 
 }  // namespace percolith::mechanics

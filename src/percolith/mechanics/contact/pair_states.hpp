@@ -70,8 +70,9 @@ struct PairStates {
   std::vector<PairStart> start;
   /// Way from the search (m) up to which the triangles cannot meet.
   std::vector<double> rest;
-  /// Where the forces of the last step are, see `force_at`; `none` where the pair does not touch.
-  std::vector<Index> place;
+  /// Where the forces of the last step start in the blocks: eight numbers further is the next one.
+  /// `none` where the pair does not touch.
+  std::vector<Index> force;
 
   [[nodiscard]] Index size() const { return static_cast<Index>(nature.size()); }
   void reserve(std::size_t pairs);
@@ -83,7 +84,7 @@ struct PairStates {
   }
 };
 
-/// The forces of a place, from the start of the blocks on: eight numbers further is the next one.
+/// Where the forces of a place start in the blocks.
 PERCOLITH_DEVICE Index force_at(Index place) {
   return place / block_width * (2 * PairForceBlock::side) + place % block_width;
 }
