@@ -113,11 +113,11 @@ void Contact::carry_over(PairStates& states, const PairRows& rows) {
 }
 
 void Contact::add_pairs(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution) {
-  const std::vector<PlacedTriangle> all = place(mesh, motion, execution);
   const auto start = std::chrono::steady_clock::now();
   std::sort(loosened_.begin(), loosened_.end());
   loosened_.erase(std::unique(loosened_.begin(), loosened_.end()), loosened_.end());
-  for (const auto& [a, b] : find_pairs_of(loosened_, candidates_, all, margin_)) {
+  const auto where = [&](Index triangle) { return placed(mesh, motion, triangle); };
+  for (const auto& [a, b] : find_pairs_of(loosened_, candidates_, where, margin_)) {
     const Index first = candidates_[at(a)].triangle;
     const Index second = candidates_[at(b)].triangle;
     if (rows_.find(states_, first, second) == mesh::none) {

@@ -31,6 +31,11 @@ template <class Lane>
 void take_up(const PairLanes<Lane>& lanes, typename Lane::Real raw,
              const Vec2<typename Lane::Real>& along, PairState<typename Lane::Real>& state,
              typename Lane::Real& seen) {
+  const auto& starts = lanes.of->states->start;
+  if (std::all_of(lanes.pair, lanes.pair + Lane::width,
+                  [&](Index p) { return starts[at(p)] == PairStart::none; })) {
+    return;
+  }
   using Row = std::array<double, Lane::width>;
   Row force, x, y, factor, offset, tangential, known;
   const auto exchange = [&](const auto& move) {
@@ -44,7 +49,7 @@ void take_up(const PairLanes<Lane>& lanes, typename Lane::Real raw,
   Lane::store(x.data(), along.x);
   Lane::store(y.data(), along.y);
   for (std::size_t i = 0; i < Lane::width; ++i) {
-    const PairStart start = lanes.of->states->start[at(lanes.pair[i])];
+    const PairStart start = starts[at(lanes.pair[i])];
     known[i] = start == PairStart::none ? 1.0 : 0.0;
     if (start == PairStart::fresh) {
       offset[i] = force[i];
