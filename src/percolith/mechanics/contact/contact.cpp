@@ -141,6 +141,7 @@ void Contact::topology_changed(const mesh::Mesh& mesh, const ContactTopology& to
   } else {
     const std::vector<Index> loosened = triangles_at(mesh, topology, broken);
     std::vector<Candidate> changed;
+    changed.reserve(loosened.size());
     for (const Index t : loosened) {
       changed.push_back(candidate(t));
     }

@@ -112,7 +112,6 @@ private:
   [[nodiscard]] std::vector<PlacedTriangle>
   place(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution) const;
   [[nodiscard]] Surface surface_of(const mesh::Mesh& mesh, Index triangle) const;
-  void add_pair(const mesh::Mesh& mesh, Index a, Index b, PairStates& states) const;
   void search(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution);
   void carry_over(PairStates& states, const PairRows& rows);
   void add_pairs(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution);

@@ -63,13 +63,12 @@ void Contact::make_room() {
 
 Surface Contact::surface_of(const mesh::Mesh& mesh, Index triangle) const {
   const auto t = at(triangle);
-  return {properties_.penalty[t], properties_.tangential_penalty[t], properties_.friction[t],
-          2.0 * mesh.area(triangle), mesh.vertex[at(mesh.triangle_vertex[t][0])]};
-}
-
-void Contact::add_pair(const mesh::Mesh& mesh, Index a, Index b, PairStates& states) const {
-  states.add(mesh::corner_of(a, 0), mesh::corner_of(b, 0), surface_of(mesh, a),
-             surface_of(mesh, b));
+  return {properties_.penalty[t],
+          properties_.tangential_penalty[t],
+          properties_.friction[t],
+          2.0 * mesh.area(triangle),
+          mesh.vertex[at(mesh.triangle_vertex[t][0])],
+          mesh::corner_of(triangle, 0)};
 }
 
 void Contact::search(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution) {
@@ -79,8 +78,13 @@ void Contact::search(const mesh::Mesh& mesh, const CornerMotion& motion, Executi
   const auto start = std::chrono::steady_clock::now();
   PairStates states;
   states.reserve(list.pair.size() + list.pair.size() / 8);
+  std::vector<Surface> surface;
+  surface.reserve(candidates_.size());
+  for (const Candidate& c : candidates_) {
+    surface.push_back(surface_of(mesh, c.triangle));
+  }
   for (const auto& [a, b] : list.pair) {
-    add_pair(mesh, candidates_[at(a)].triangle, candidates_[at(b)].triangle, states);
+    states.add(surface[at(a)], surface[at(b)]);
   }
   PairRows rows(states, mesh.triangles());
   carry_over(states, rows);
@@ -96,15 +100,19 @@ void Contact::search(const mesh::Mesh& mesh, const CornerMotion& motion, Executi
 }
 
 void Contact::carry_over(PairStates& states, const PairRows& rows) {
+  Index next = 0;
   for (Index old = 0; old < states_.size(); ++old) {
     const PairState<double>& state = states_.state[at(old)];
-    const auto [a, b] = states_.triangles(old);
+    const auto key = states_.triangles(old);
     friction_dissipation_ += state.loss;
-    const Index p = rows.find(states, a, b);
+    // Both lists ascend but for pairs that were added: mostly the next one is that of the same two.
+    const bool same = next < states.size() && states.triangles(next) == key;
+    const Index p = same ? next : rows.find(states, key[0], key[1]);
     if (p == mesh::none) {
       friction_dissipation_ += state.stored;
       continue;
     }
+    next = p + 1;
     states.state[at(p)] = state;
     states.state[at(p)].loss = 0.0;
     states.rest[at(p)] = std::max(0.0, states_.rest[at(old)] - travelled_);
@@ -121,7 +129,7 @@ void Contact::add_pairs(const mesh::Mesh& mesh, const CornerMotion& motion, Exec
     const Index first = candidates_[at(a)].triangle;
     const Index second = candidates_[at(b)].triangle;
     if (rows_.find(states_, first, second) == mesh::none) {
-      add_pair(mesh, first, second, states_);
+      states_.add(surface_of(mesh, first), surface_of(mesh, second));
       rows_.insert(states_, states_.size() - 1);
       starts_ = true;
     }

@@ -65,7 +65,7 @@ struct PairForces {
 
 private:
   /// So many pairs further on is what is asked for early.
-  static constexpr Index pairs_ahead = 2 * block_width;
+  static constexpr Index pairs_ahead = 4 * block_width;
 
   /// Asks for the lines of a block of pairs.
   void fetch(const Index* pair) const {

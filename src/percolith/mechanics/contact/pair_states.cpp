@@ -13,13 +13,13 @@ void PairStates::reserve(std::size_t pairs) {
   force.reserve(pairs);
 }
 
-void PairStates::add(Index first_slot, Index second_slot, const Surface& a, const Surface& b) {
+void PairStates::add(const Surface& a, const Surface& b) {
   const double penalty = in_series(a.penalty, b.penalty);
   nature.push_back({b.origin - a.origin,
                     {penalty * a.twice_area, penalty * b.twice_area},
                     in_series(a.tangential_penalty, b.tangential_penalty),
                     std::min(a.friction, b.friction),
-                    {first_slot, second_slot}});
+                    {a.slot, b.slot}});
   state.emplace_back();
   start.push_back(PairStart::fresh);
   rest.push_back(0.0);

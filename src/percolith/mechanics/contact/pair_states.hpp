@@ -16,6 +16,7 @@ struct Surface {
   double friction = 0.0;            ///< tan(phi) of (7)
   double twice_area = 0.0;          ///< m2, undeformed
   Point origin;                     ///< m, undeformed place of corner 0
+  Index slot = 0;                   ///< of corner 0
 };
 
 /// The penalty of a pair: both in series, twice as stiff as the softer one at most.
@@ -76,8 +77,8 @@ struct PairStates {
 
   [[nodiscard]] Index size() const { return static_cast<Index>(nature.size()); }
   void reserve(std::size_t pairs);
-  /// A new pair that has not been looked at; triangles are given by the slots of their corners 0.
-  void add(Index first_slot, Index second_slot, const Surface& a, const Surface& b);
+  /// A new pair that has not been looked at.
+  void add(const Surface& a, const Surface& b);
   [[nodiscard]] std::array<Index, 2> triangles(Index pair) const {
     const auto& slot = nature[at(pair)].slot;
     return {mesh::triangle_of(slot[0]), mesh::triangle_of(slot[1])};

@@ -66,15 +66,20 @@ void for_each_box(const CellGrid& grid, std::span<const Box> boxes, const Box& b
   }
 }
 
+/// Counts the boxes of all cells that box a is in: no fewer than it has partners.
 struct CountPartners {
   const CellGrid* grid;
-  std::span<const Box> boxes;
   Index* count;
 
   void operator()(ScalarLane lane) const {
-    Index found = 0;
-    for_each_partner(*grid, boxes, lane.first, [&](Index) { ++found; });
-    count[lane.first] = found;
+    const CellGrid::Range own = grid->range_of(lane.first);
+    std::size_t found = 0;
+    for (Index row = own.first_row; row <= own.last_row; ++row) {
+      for (Index column = own.first_column; column <= own.last_column; ++column) {
+        found += grid->cell(column, row).size();
+      }
+    }
+    count[lane.first] = static_cast<Index>(found);
   }
 };
 
@@ -164,7 +169,7 @@ PairList find_pairs(std::span<const Candidate> candidates, std::span<const Place
   const CellGrid grid(boxes);
   std::vector<Index> count(candidates.size());
   execution.book("contact search", begin);
-  execution.for_each("contact search", n, CountPartners{&grid, boxes, count.data()});
+  execution.for_each("contact search", n, CountPartners{&grid, count.data()});
   const auto middle = std::chrono::steady_clock::now();
   const std::vector<Index> start = row_starts(count);
   std::vector<Index> partner(at(start.back()));
