@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A disc split by two opposite loads: strength and the place of the split, on two meshes."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import solid
+from program import ROOT
+from report import Chapter
+from studies import check_criteria, run_example
+
+TITLE = "Brazilian disc: splitting strength"
+DIAMETER, STRENGTH = 0.1, 5e6
+
+
+def load(run) -> np.ndarray:
+    """On the disc, N/m: mean of both sides, positive in compression."""
+    return 0.5 * (run.history["boundary.bottom.reaction_y_N_per_m"]
+                  - run.history["boundary.top.reaction_y_N_per_m"])
+
+
+def check(chapter: Chapter, work: Path) -> None:
+    runs = {"2.5 mm": check_criteria(chapter, "brazilian", work).results}
+    mesh = ROOT / "examples/brazilian/brazilian_fine.msh"
+    runs["1.8 mm"] = run_example("brazilian", work, "fine", {"mesh.file": str(mesh)}).results
+    figure, axes = plt.subplots(figsize=(7, 4.4), layout="constrained")
+    for (name, run), colour in zip(runs.items(), plt.cm.viridis([0.2, 0.65])):
+        label = name.replace(" ", "_")
+        strength = 2 * load(run) / (np.pi * DIAMETER)
+        chapter.at_most(f"{label}.strength", f"elements of {name}: 2 P/(pi D) over the tensile "
+                        "strength, less 1", abs(strength.max() / STRENGTH - 1), 0.1)
+        broken = np.vstack(list(solid.broken_by_mode(run.frame()).values()))
+        inner = broken[abs(broken[:, 1]) < 0.3 * DIAMETER]
+        chapter.at_most(f"{label}.place", f"elements of {name}: median distance of the broken "
+                        "joints from the loaded diameter, over the diameter",
+                        np.median(abs(inner[:, 0])) / DIAMETER if len(inner) else np.inf, 0.05)
+        chapter.at_least(f"{label}.fragments", f"elements of {name}: parts of the disc at the end",
+                         run.history["fragments"][-1], 2)
+        chapter.at_most(f"{label}.balance", f"elements of {name}: error of the energy balance",
+                        solid.residual(run), 1e-3)
+        moved = (run.history["boundary.bottom.displacement_y_m"]
+                 - run.history["boundary.top.displacement_y_m"])
+        axes.plot(moved * 1e3, strength / 1e6, color=colour, label=f"elements of {name}")
+    axes.axhline(STRENGTH / 1e6, color="k", linestyle="--", linewidth=1, label="tensile strength")
+    axes.set_xlabel("Approach of the loaded arcs (mm)")
+    axes.set_ylabel("2 P/(π D) (MPa)")
+    axes.grid(alpha=0.3)
+    axes.legend(frameon=False)
+    chapter.add_figure(figure, "Load over displacement")
+    picture(chapter, runs)
+
+
+def picture(chapter: Chapter, runs: dict) -> None:
+    figure, both = plt.subplots(1, 2, figsize=(11, 5), layout="constrained")
+    for (name, run), axes in zip(runs.items(), both):
+        solid.draw_rock(axes, run.frame(), edges="white")
+        solid.draw_cracks(axes, run.frame())
+        axes.set_title(f"Elements of {name}", fontsize=10)
+    chapter.add_figure(figure, "Joints that broke, by how they broke")
