@@ -30,10 +30,9 @@ def stress_and_strain(run):
 
 def run_at(work: Path, label: str, confinement: float, mesh: str):
     """The shipped case under another side pressure, on another mesh."""
-    settings = {"boundary.sides.normal_pressure": None, "mesh.file":
-                str(ROOT / "examples/compression" / mesh)}
-    settings["boundary.sides.normal_pressure.times"] = [0, 0.5e-3]
-    settings["boundary.sides.normal_pressure.values"] = [0, confinement]
+    settings = {"mesh.file": str(ROOT / "examples/compression" / mesh),
+                "boundary.sides.normal_pressure": {"times": [0, 0.5e-3],
+                                                   "values": [0, confinement]}}
     return run_example("compression", work, label, settings).results
 
 
