@@ -75,8 +75,8 @@ class DoubleCantilever:
 
 def mohr_coulomb(confinement, cohesion: float, friction_angle: float):
     """Largest compressive stress that rock bears under a confining pressure, both positive."""
-    sine = np.sin(friction_angle)
-    return (2 * cohesion * np.cos(friction_angle) + (1 + sine) * np.asarray(confinement)) / (1 - sine)
+    sine, confinement = np.sin(friction_angle), np.asarray(confinement)
+    return (2 * cohesion * np.cos(friction_angle) + (1 + sine) * confinement) / (1 - sine)
 
 
 def slide_distance(time: float, slope: float, friction_angle: float, gravity: float = 9.81):

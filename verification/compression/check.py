@@ -40,7 +40,8 @@ def check(chapter: Chapter, work: Path) -> None:
     shipped = check_criteria(chapter, "compression", work).results
     confined = {5e6: shipped}
     for pressure in (0.0, 10e6):
-        confined[pressure] = run_at(work, f"at_{pressure / 1e6:.0f}_MPa", pressure, MESHES["2.5 mm"])
+        label = f"at_{pressure / 1e6:.0f}_MPa"
+        confined[pressure] = run_at(work, label, pressure, MESHES["2.5 mm"])
     meshes = {"2.5 mm": shipped}
     for name in ("1.8 mm", "1.25 mm"):
         meshes[name] = run_at(work, Path(MESHES[name]).stem, 5e6, MESHES[name])

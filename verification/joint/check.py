@@ -48,7 +48,7 @@ def energies(chapter: Chapter, work: Path) -> None:
     axes.set_ylabel("Traction along it (MPa)")
     axes.grid(alpha=0.3)
     axes.legend(frameon=False)
-    chapter.add_figure(figure, "Traction of a joint that is opened, sheared, and both at 45 degrees")
+    chapter.add_figure(figure, "Traction of a joint that is opened, sheared, and both alike")
 
 
 def pressed(chapter: Chapter, work: Path) -> None:

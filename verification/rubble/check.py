@@ -47,8 +47,8 @@ def check(chapter: Chapter, work: Path) -> None:
     block = first.matrix.cell_data["fragment"]
     stones = solid.centres(first)[:, 1] > 0
     chapter.at_least("fragments", "separate blocks", len(np.unique(block[stones])), 100)
-    chapter.at_most("rest", "kinetic energy at the end over the largest", kinetic[-1] / kinetic.max(),
-                    1e-4)
+    chapter.at_most("rest", "kinetic energy at the end over the largest",
+                    kinetic[-1] / kinetic.max(), 1e-4)
     fall = solid.mean_of(first, "displacement_m", stones) - solid.mean_of(last, "displacement_m",
                                                                         stones)
     chapter.at_least("collapse", "fall of the middle of mass over the height of the column",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A tunnel in stressed rock: the wall against Kirsch in elastic rock, the damage where it breaks."""
+"""A tunnel in stressed rock: its wall against Kirsch in elastic rock, damage where it breaks."""
 
 from pathlib import Path
 
