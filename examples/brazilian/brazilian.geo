@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A disc of 0.1 m, loaded over arcs of 12 degrees at top and bottom. size: element size, m.
+// A disc of 0.1 m, loaded over arcs of 12 degrees at top and bottom.
+// straight: 1 where edges of triangles follow the loaded diameter, 0 where the sizes of triangles
+// vary so that no direction is preferred. size: mean element size, m.
 // gmsh -2 -format msh41 -bin -o brazilian.msh brazilian.geo
-// and with -setnumber size 0.0018 as brazilian_fine.msh
-DefineConstant[ size = 0.0025 ];
+// and with -setnumber straight 0 as brazilian_irregular.msh
+DefineConstant[ size = 0.002, straight = 1 ];
 Mesh.Algorithm = 5;
 r = 0.05;
 half = 6*Pi/180;
@@ -21,6 +23,18 @@ Circle(5) = {6, 1, 7};
 Circle(6) = {7, 1, 2};
 Curve Loop(1) = {1, 2, 3, 4, 5, 6};
 Plane Surface(1) = {1};
+If (straight)
+  Point(8) = {0, 0.9*r, 0, size};
+  Point(9) = {0, -0.9*r, 0, size};
+  Line(7) = {8, 9};
+  Curve{7} In Surface{1};
+Else
+  Field[1] = MathEval;
+  Field[1].F = Sprintf("%g*(1 + 0.25*Sin(1100*x)*Sin(900*y + 1))", size);
+  Background Field = 1;
+  Mesh.CharacteristicLengthFromPoints = 0;
+  Mesh.CharacteristicLengthExtendFromBoundary = 0;
+EndIf
 Physical Surface("disc") = {1};
 Physical Curve("top") = {2};
 Physical Curve("bottom") = {5};
