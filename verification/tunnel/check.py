@@ -13,7 +13,7 @@ from studies import check_criteria
 
 TITLE = "Tunnel in in-situ stress: displacement of the wall, damage"
 CASE = Path(__file__).with_name("elastic.toml")
-STRESS_XX, STRESS_YY = -15e6, -10e6  # Pa
+STRESS_XX, STRESS_YY = -22.5e6, -15e6  # Pa
 
 
 def wall_displacement(frame):
