@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# A room is a folder under src/percolith with its own static library; its DEPENDS are the only
-# rooms it may include (tools/check_rooms.py compares them with the include lines). PRIVATE
-# libraries are seen by the room's own sources alone. A main.cpp belongs to a program, not a room.
+# A room is a folder under src/percolith with its own static library; a topic of several files may
+# have a folder within it. Its DEPENDS are the only rooms it may include (tools/check_rooms.py
+# compares them with the include lines). PRIVATE libraries are seen by the room's own sources alone.
+# A main.cpp belongs to a program, not a room.
 function(percolith_room name)
   cmake_parse_arguments(room "" "" "DEPENDS;LIBRARIES;PRIVATE" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp
+       ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   set(library percolith_${name})
   if(sources)

@@ -87,7 +87,7 @@ def _shown_values(frame: Frame, field: str) -> list[np.ndarray]:
     return [_values(grid, field) for grid in grids]
 
 
-def _figure(points: np.ndarray):
+def model_figure(points: np.ndarray):
     """A figure that suits the shape of the model, with its axes; wide models get the bar below."""
     width, height = np.ptp(points, axis=0)
     is_wide = width > 2.2 * height
@@ -137,15 +137,20 @@ def _draw_cracks(axes, cracks: Grid, field: str, colours: dict, factor: float) -
                                        capstyle="round", **colours))
 
 
+def one_a_square(places: np.ndarray, spacing: float) -> np.ndarray:
+    """Indices of the places nearest to the middle of each square of the given size."""
+    square = np.floor(places / spacing).astype(np.int64)
+    nearest = np.argsort(np.hypot(*(places - (square + 0.5) * spacing).T), kind="stable")
+    _, first = np.unique(square[nearest], axis=0, return_index=True)
+    return nearest[first]
+
+
 def _draw_arrows(axes, frame: Frame) -> None:
     """Direction and size of the Darcy flux at about 25 places across the model."""
     centre = frame.matrix.points[frame.matrix.cells].mean(axis=1)
     flux = frame.matrix.cell_data["darcy_flux_m_per_s"]
     spacing = max(np.ptp(centre, axis=0)) / 25
-    square = np.floor(centre / spacing).astype(np.int64)
-    nearest = np.argsort(np.hypot(*(centre - (square + 0.5) * spacing).T), kind="stable")
-    _, first = np.unique(square[nearest], axis=0, return_index=True)
-    chosen = nearest[first]
+    chosen = one_a_square(centre, spacing)
     size = np.hypot(*flux.T)
     largest = np.percentile(size, 95) or 1.0
     length = np.minimum(size, largest) / np.where(size > 0, size, 1.0) * 0.9 * spacing / largest
@@ -161,7 +166,7 @@ def draw_field(run: RunDirectory, frame: Frame, field: str, path: Path, arrows: 
     shown = colour_range or ColourRange.of_frame(frame, field)
     factor = shown.scale.factor
     colours = {"cmap": "viridis", "norm": plt.Normalize(shown.low / factor, shown.high / factor)}
-    figure, axes, is_wide = _figure(frame.matrix.points)
+    figure, axes, is_wide = model_figure(frame.matrix.points)
     picture = _draw_matrix(axes, frame, field, colours, shown)
     if arrows or field == "flux":
         _draw_arrows(axes, frame)

@@ -14,8 +14,9 @@ from percolith.units import Scale, power_scale, pressure_scale, time_scale
 _LEGEND_WIDTH = 100  # letters of small type across a panel; a handle takes 13
 
 
-def _draw_curves(axes, history: Table, time: Scale, curves: dict[str, str], scale: Scale,
-                 quantity: str) -> None:
+def draw_curves(axes, history: Table, time: Scale, curves: dict[str, str], scale: Scale,
+                quantity: str) -> None:
+    """Draws columns of a history over time; `curves` gives each of them its name in the legend."""
     moments = history["time_s"] / time.factor
     marker = "." if len(history) <= 100 else ""
     colours = plt.cm.viridis(np.linspace(0.0, 0.85, max(len(curves), 2)))
@@ -53,19 +54,19 @@ def draw_history(run: RunDirectory, path: Path) -> Path:
     figure, grid = plt.subplots(2, 2, figsize=(11, 7), layout="constrained", sharex=True)
     volumes = {"in_m2": "in", "out_m2": "out", "stored_m2": "stored"}
     joined = np.concatenate([history[name] for name in volumes])
-    _draw_curves(grid[0, 0], history, time, volumes, power_scale(joined, "m³/m"), "Fluid volume")
+    draw_curves(grid[0, 0], history, time, volumes, power_scale(joined, "m³/m"), "Fluid volume")
     error = {"relative_error": "error over fluid in place and throughput"}
-    _draw_curves(grid[0, 1], history, time, error, Scale(1.0, ""), "Mass balance error")
+    draw_curves(grid[0, 1], history, time, error, Scale(1.0, ""), "Mass balance error")
     grid[0, 1].set_yscale("symlog", linthresh=1e-16)
     grid[0, 1].set_ylim(bottom=0, top=max(1e-11, 2 * np.nanmax(history["relative_error"])))
     extremes = _extremes(history)
     joined = np.concatenate([history[name] for name in extremes])
-    _draw_curves(grid[1, 0], history, time, extremes, pressure_scale(joined), "Pressure")
+    draw_curves(grid[1, 0], history, time, extremes, pressure_scale(joined), "Pressure")
     rates = _rates(history)
     if rates:
         joined = np.concatenate([history[name] for name in rates])
-        _draw_curves(grid[1, 1], history, time, rates, power_scale(joined, "m²/s"),
-                     "Rate into the model")
+        draw_curves(grid[1, 1], history, time, rates, power_scale(joined, "m²/s"),
+                    "Rate into the model")
     grid[1, 1].set_visible(bool(rates))
     for axes in grid.flat:
         axes.grid(alpha=0.3)

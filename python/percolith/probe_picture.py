@@ -15,7 +15,12 @@ _COLUMN = {"pressure": "pressure_Pa", "head": "head_m", "saturation": "saturatio
            "flux": "flux_x_m_per_s"}
 _LABEL = {"pressure_Pa": "Pressure", "head_m": "Hydraulic head", "saturation": "Saturation",
           "flux_x_m_per_s": "Darcy flux along x",
-          "flux_x_m2_per_s": "Flux in the crack along x"}
+          "flux_x_m2_per_s": "Flux in the crack along x",
+          "displacement_x_m": "Displacement along x", "displacement_y_m": "Displacement along y",
+          "velocity_x_m_per_s": "Velocity along x", "velocity_y_m_per_s": "Velocity along y",
+          "stress_xx_Pa": "Stress xx", "stress_yy_Pa": "Stress yy", "stress_xy_Pa": "Stress xy"}
+_MECHANICS = ("displacement_x_m", "displacement_y_m", "velocity_x_m_per_s", "velocity_y_m_per_s",
+              "stress_xx_Pa", "stress_yy_Pa", "stress_xy_Pa")
 
 
 def _column(table: Table, field: str) -> str:
@@ -27,10 +32,12 @@ def _column(table: Table, field: str) -> str:
 
 
 def _scale(column: str, values: np.ndarray) -> Scale:
-    if column == "pressure_Pa":
+    if column.endswith("_Pa"):
         return pressure_scale(values)
-    unit = {"head_m": "m", "flux_x_m_per_s": "m/s", "flux_x_m2_per_s": "m²/s"}.get(column, "")
-    return power_scale(values, unit) if unit else Scale(1.0, "")
+    for ending, unit in (("_m_per_s", "m/s"), ("_m2_per_s", "m²/s"), ("_m", "m")):
+        if column.endswith(ending):
+            return power_scale(values, unit)
+    return Scale(1.0, "")
 
 
 def _draw_line(axes, table: Table, column: str, is_steady: bool) -> None:
@@ -63,16 +70,27 @@ def _draw_point(axes, table: Table, column: str) -> None:
     axes.set_ylabel(scale.label(_LABEL[column]))
 
 
+def _panels(run: RunDirectory, field: str) -> list[tuple[str, Table, str]]:
+    """Probe, its table and column of each panel: `field` of every probe, in mechanics every
+    component of displacement, velocity and stress."""
+    panels = []
+    for name in run.probe_names:
+        table = run.probe(name)
+        columns = ([column for column in _MECHANICS if column in table] if run.is_mechanics
+                   else [_column(table, field)])
+        panels += [(name, table, column) for column in columns]
+    return panels
+
+
 def draw_probes(run: RunDirectory, field: str, path: Path) -> Path:
-    """Writes one panel a probe to `path` and returns it."""
-    names = run.probe_names
-    columns = 1 if len(names) == 1 else 2
-    rows = -(-len(names) // columns)
+    """Writes one panel a probe to `path` and returns it, in mechanics one a probe and component,
+    whatever the field."""
+    panels = _panels(run, field)
+    columns = 1 if len(panels) == 1 else 2
+    rows = -(-len(panels) // columns)
     size = (7 if columns == 1 else 11, 3.6 * rows + 0.4)
     figure, grid = plt.subplots(rows, columns, figsize=size, layout="constrained", squeeze=False)
-    for axes, name in zip(grid.flat, names):
-        table = run.probe(name)
-        column = _column(table, field)
+    for axes, (name, table, column) in zip(grid.flat, panels):
         is_line = len(table.at_time()) > 1
         if is_line:
             _draw_line(axes, table, column, run.is_steady)
@@ -80,7 +98,7 @@ def draw_probes(run: RunDirectory, field: str, path: Path) -> Path:
             _draw_point(axes, table, column)
         axes.set_title(f"Probe {name}", fontsize=10)
         axes.grid(alpha=0.3)
-    for axes in grid.flat[len(names):]:
+    for axes in grid.flat[len(panels):]:
         axes.set_visible(False)
     figure.suptitle(run.title, fontsize=11)
     figure.savefig(path, dpi=120)

@@ -59,19 +59,23 @@ class Table:
         return self.where(self["time_s"] == chosen)
 
 
-def read_table(path: str | os.PathLike) -> Table:
-    """Reads a CSV file with a line of names; lines that start with `#` are comments. A field that
-    is empty becomes NaN. Raises RunDirectoryError naming the file where a field is no number."""
+def read_table(path: str | os.PathLike, words: tuple[str, ...] = ()) -> Table:
+    """Reads a CSV file with a line of names; lines that start with `#` are comments. Columns named
+    in `words` hold text, all others numbers, where a field that is empty becomes NaN. Raises
+    RunDirectoryError naming the file where a field is no number."""
     with open(path, newline="") as file:
         rows = list(csv.reader(line for line in file if not line.startswith("#")))
     if not rows:
         raise RunDirectoryError(f"{path}: empty table")
+    names, rows = rows[0], rows[1:]
+    if any(len(row) != len(names) for row in rows):
+        raise RunDirectoryError(f"{path}: not a table of numbers: rows of different lengths")
     try:
-        values = np.array([[float(v or "nan") for v in row] for row in rows[1:]])
-        values = values.reshape(len(rows) - 1, len(rows[0]))
+        return Table({name: np.array([row[i] for row in rows], dtype=str) if name in words
+                      else np.array([float(row[i] or "nan") for row in rows], dtype=float)
+                      for i, name in enumerate(names)})
     except ValueError as error:
         raise RunDirectoryError(f"{path}: not a table of numbers: {error}") from error
-    return Table({name: values[:, i] for i, name in enumerate(rows[0])})
 
 
 class RunDirectory:
@@ -98,7 +102,8 @@ class RunDirectory:
 
     @cached_property
     def summary(self) -> dict:
-        """What summary.json says: end time, steps, wall time, mass balance, extremes."""
+        """What summary.json says: end time, steps, wall time; mass balance and extremes, or the
+        results of mechanics."""
         with open(self._file("summary.json"), encoding="utf-8") as file:
             return json.load(file)
 
@@ -107,13 +112,25 @@ class RunDirectory:
         """history.csv: one row a reported time."""
         return read_table(self._file("history.csv"))
 
+    @cached_property
+    def events(self) -> Table:
+        """events.csv: one row a broken joint, in the order of time; `mode` and `material` are text.
+        Raises RunDirectoryError in a run of flow."""
+        if not self.is_mechanics:
+            raise RunDirectoryError(f"{self.path}: a run of flow has no events")
+        return read_table(self._file("events.csv"), words=("mode", "material"))
+
+    @property
+    def is_mechanics(self) -> bool:
+        return self.resolved.get("model", {}).get("physics") == "mechanics"
+
     @property
     def title(self) -> str:
         return self.resolved.get("title", "") or self.path.name
 
     @property
     def is_steady(self) -> bool:
-        return self.resolved.get("time", {}).get("scheme") == "steady"
+        return not self.is_mechanics and self.resolved.get("time", {}).get("scheme") == "steady"
 
     @property
     def probe_names(self) -> list[str]:

@@ -91,6 +91,22 @@ def test_table_with_words_is_refused(tmp_path):
     path.write_text("# comment\na,b\n1,\n2,3\n")
     table = read_table(path)
     assert np.isnan(table["b"][0]) and table["b"][1] == 3
+    path.write_text("a,b\n1,2\n3\n")
+    with pytest.raises(RunDirectoryError, match="table.csv: .*rows of different lengths"):
+        read_table(path)
     path.write_text("a\nword\n")
     with pytest.raises(RunDirectoryError, match="table.csv: not a table of numbers"):
         read_table(path)
+
+
+def test_columns_of_words_are_read_where_asked_for(tmp_path):
+    path = tmp_path / "table.csv"
+    path.write_text('a,mode\n1,"shear, late"\n2,tensile\n')
+    table = read_table(path, words=("mode",))
+    assert list(table["mode"]) == ["shear, late", "tensile"]
+    assert table.where(table["mode"] == "tensile")["a"] == 2
+
+
+def test_a_run_of_flow_has_no_events(run):
+    with pytest.raises(RunDirectoryError, match="a run of flow has no events"):
+        _ = run.events

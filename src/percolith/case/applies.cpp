@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/case/applies.hpp"
 
+#include "percolith/case/applies_physics.hpp"
 #include "percolith/case/path.hpp"
 
-#include <array>
+#include <algorithm>
 
 namespace percolith::case_file {
 
@@ -33,7 +34,7 @@ const std::string transient = "time.scheme = \"implicit\" or \"explicit\"";
 const std::string free_state = transient + " without initial.steady";
 const std::string free_step = "time.scheme = \"implicit\" without time.step";
 
-const std::vector<Applicability> all{
+const std::vector<Applicability> of_seepage_and_run{
     {"mesh.element_size",
      {"mesh.file"},
      [](const Setup& setup, const std::string&) { return is_geometry(setup.mesh.file); },
@@ -85,6 +86,16 @@ const std::vector<Applicability> all{
     {"output.history_interval", {"time.scheme"}, is_transient, transient},
 };
 
+std::vector<Applicability> everything() {
+  std::vector<Applicability> rules = needs_of_physics();
+  const std::vector<Applicability> mechanics = needs_within_mechanics();
+  rules.insert(rules.end(), of_seepage_and_run.begin(), of_seepage_and_run.end());
+  rules.insert(rules.end(), mechanics.begin(), mechanics.end());
+  return rules;
+}
+
+const std::vector<Applicability> all = everything();
+
 }  // namespace
 
 std::span<const Applicability> applicabilities() {
@@ -99,9 +110,19 @@ std::string with_name(std::string pattern, const std::string& name) {
   return pattern;
 }
 
+std::string_view physics_of(std::string_view pattern) {
+  const auto rule = std::find_if(all.begin(), all.end(), [&](const Applicability& candidate) {
+    return candidate.option == pattern && candidate.needs.front() == "model.physics";
+  });
+  if (rule == all.end()) {
+    return {};
+  }
+  return rule->condition == needs_mechanics ? "mechanics" : "seepage";
+}
+
 std::string why_unused(const std::string& key, const Setup& setup) {
   const Path path = split_path(key);
-  const std::string name = path.size() > 2 ? path[1] : std::string();
+  const std::string name = path.size() > 1 ? path[1] : std::string();
   for (const Applicability& rule : all) {
     if (with_name(rule.option, name) == key && !rule.holds(setup, name)) {
       return rule.condition;

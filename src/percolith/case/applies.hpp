@@ -11,7 +11,7 @@
 
 namespace percolith::case_file {
 
-/// An option that has an effect only where others have certain values.
+/// An option or a table that has an effect only where options have certain values.
 struct Applicability {
   std::string option;              ///< path; `*` stands for the name of a table
   std::vector<std::string> needs;  ///< paths of the options that decide
@@ -19,10 +19,16 @@ struct Applicability {
   std::string condition;  ///< in words: `time.scheme = "explicit"`
 };
 
-/// All options that do not always have an effect.
+/// All options and tables that do not always have an effect. Those that need other physics come
+/// first.
 [[nodiscard]] std::span<const Applicability> applicabilities();
 
-/// What the option at `key` would need to have an effect in this setup; "" where it has one.
+/// The physics, "seepage" or "mechanics", without which the option or table at the path `pattern`
+/// has no effect; "" where it belongs to both.
+[[nodiscard]] std::string_view physics_of(std::string_view pattern);
+
+/// What the option or table at `key` would need to have an effect in this setup; "" where it has
+/// one.
 [[nodiscard]] std::string why_unused(const std::string& key, const simulation::Setup& setup);
 
 /// `pattern` with `*` replaced by `name`.

@@ -44,6 +44,14 @@ Node parse(std::string_view text, const std::string& file) {
   }
 }
 
+/// Mechanics knows one scheme, which a case need not name.
+void choose_scheme(Case& known) {
+  if (known.setup.model.physics == simulation::Physics::mechanics &&
+      !known.locations.given("time.scheme")) {
+    known.setup.time.scheme = simulation::Scheme::explicit_;
+  }
+}
+
 }  // namespace
 
 Case read_case(const std::filesystem::path& file, std::span<const std::string> overrides) {
@@ -82,6 +90,7 @@ Case read_case_text(std::string_view text, const std::filesystem::path& file,
   Reader reader(root, {}, context);
   describe(reader, result.setup);
   reader.finish();
+  choose_scheme(result);
   check_rules(result.setup, context);
   problems.throw_if_any();
   return result;

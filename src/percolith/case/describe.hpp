@@ -2,6 +2,7 @@
 #pragma once
 
 #include "percolith/case/describe_conditions.hpp"
+#include "percolith/case/describe_mechanics.hpp"
 #include "percolith/case/describe_model.hpp"
 #include "percolith/case/describe_run.hpp"
 
@@ -17,21 +18,30 @@ void describe(V& option, simulation::Setup& m) {
                          "Format of the case file; this version reads 1."});
   option(m.title, Text{"title", Need::optional, "One line that says what the case is."});
   option(m.mesh, Table{"mesh", "The mesh or geometry."});
-  option(m.model, Table{"model", "Gravity and the laws of flow."});
+  option(m.model, Table{"model", "What is computed, gravity and the laws of flow."});
   option(m.fluid, Table{"fluid", "The fluid in pores and fractures; the defaults are water."});
   option(m.material,
          NamedTables{"material", "A rock and the regions made of it. Every region needs "
                                  "one."});
   option(m.fracture, NamedTables{"fracture", "A kind of fracture and the curves it lies on."});
   option(m.boundary,
-         NamedTables{"boundary", "A condition on a part of the boundary: exactly one of "
-                                 "pressure, head, flux and seepage_face."});
+         NamedTables{"boundary", "A condition on a part of the boundary: in seepage exactly one of "
+                                 "pressure, head, flux and seepage_face; in mechanics one or more "
+                                 "of its options."});
   option(m.source, NamedTables{"source", "Fluid brought in at a point or along fractures: exactly "
                                          "one of rate and pressure."});
+  option(m.body, NamedTables{"body", "A part of the model that moves in its own way: a rigid "
+                                     "platen, or a body that is thrown."});
+  option(m.point_force, NamedTables{"point_force", "A force on one vertex."});
+  option(m.in_situ, Table{"in_situ", "The stress of the rock at time zero: stress + gradient (y - "
+                                     "datum). Without the table it is zero."});
+  option(m.excavation, NamedTables{"excavation", "Regions that are taken out of the rock."});
+  option(m.damping, Table{"damping", "What takes energy out of the motion."});
+  option(m.contact, Table{"contact", "Contact between faces that meet, and its friction."});
   option(m.initial,
          Table{"initial", "The state at time zero: at most one of pressure, head, "
                           "water_table and steady. Needs time.scheme implicit or explicit."});
-  option(m.time, Table{"time", "How the flow is advanced in time."});
+  option(m.time, Table{"time", "How the run advances in time."});
   option(m.output, Table{"output", "When and what is written."});
   option(m.probe, NamedTables{"probe", "Values written over time, at a point or on a line."});
 }

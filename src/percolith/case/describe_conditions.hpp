@@ -7,12 +7,40 @@
 // The options of boundary, source and initial conditions.
 namespace percolith::case_file {
 
+/// The part of a boundary condition that mechanics has.
+template <class V>
+void list_mechanical(V& option, simulation::BoundaryCondition& m) {
+  option(m.fixed, Flag{"fixed", "Whether the boundary stays where it is."});
+  option(m.roller, Flag{"roller", "Whether the boundary stays in its place across its edges, and "
+                                  "slides freely along them."});
+  option(m.displacement_x, Quantity{"displacement_x", "m", finite, Need::optional,
+                                    "Displacement along x, over time.", "free"});
+  option(m.displacement_y, Quantity{"displacement_y", "m", finite, Need::optional,
+                                    "Displacement along y, over time.", "free"});
+  option(m.velocity_x, Quantity{"velocity_x", "m/s", finite, Need::optional,
+                                "Velocity along x, over time.", "free", "velocity"});
+  option(m.velocity_y, Quantity{"velocity_y", "m/s", finite, Need::optional,
+                                "Velocity along y, over time.", "free", "velocity"});
+  option(m.traction_x,
+         Quantity{"traction_x", "Pa", finite, Need::optional,
+                  "Force along x per area of the undeformed boundary, over time.", "0"});
+  option(m.traction_y,
+         Quantity{"traction_y", "Pa", finite, Need::optional,
+                  "Force along y per area of the undeformed boundary, over time.", "0"});
+  option(m.normal_pressure,
+         Quantity{"normal_pressure", "Pa", finite, Need::optional,
+                  "Pressure on the boundary as it moves and deforms, over time.", "0"});
+  option(m.in_situ, Flag{"in_situ", "Whether the boundary carries the traction of the in-situ "
+                                    "stress. Needs the table [in_situ]."});
+  option(m.absorbing, Flag{"absorbing", "Whether waves leave through the boundary."});
+}
+
 template <class V>
 void describe(V& option, simulation::BoundaryCondition& m) {
   using simulation::Domain;
   option(m.groups, Text{"groups", Need::required,
                         "Physical curves of the mesh this condition holds on; a boundary without a "
-                        "condition is impervious."});
+                        "condition is impervious, and free to move."});
   option(m.pressure, Quantity{"pressure", "Pa", finite, Need::optional, "Pressure, over time.",
                               "no fixed pressure"});
   option(m.head,
@@ -30,6 +58,7 @@ void describe(V& option, simulation::BoundaryCondition& m) {
                    {{Domain::both, "both"}, {Domain::matrix, "matrix"}, {Domain::crack, "crack"}},
                    "Whether pressure, head or seepage face holds for the matrix, for "
                    "the fractures that end there, or for both."});
+  list_mechanical(option, m);
 }
 
 template <class V>

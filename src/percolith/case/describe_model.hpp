@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/case/describe_mechanics.hpp"
 #include "percolith/case/option.hpp"
 #include "percolith/simulation/setup.hpp"
+
+#include <limits>
 
 // The options of the model itself: mesh, laws, fluid, rocks and fractures.
 namespace percolith::case_file {
@@ -19,6 +22,17 @@ void describe(V& option, simulation::MeshOptions& m) {
 
 template <class V>
 void describe(V& option, simulation::Model& m) {
+  using simulation::Physics;
+  using simulation::Plane;
+  option(m.physics,
+         Choice<Physics>{"physics",
+                         {{Physics::seepage, "seepage"}, {Physics::mechanics, "mechanics"}},
+                         "What is computed: seepage through a rock at rest, or the mechanics of a "
+                         "dry rock that deforms, breaks and moves."});
+  option(m.plane, Choice<Plane>{"plane",
+                                {{Plane::strain, "strain"}, {Plane::stress, "stress"}},
+                                "Whether strain or stress across the plane of the model is "
+                                "zero."});
   option(m.gravity, Quantity{"gravity", "m/s2", not_negative, Need::required,
                              "Acceleration of gravity along -y: 9.81 for a vertical section, 0 for "
                              "a horizontal plan."});
@@ -59,23 +73,40 @@ void describe(V& option, simulation::Material& m) {
   option(m.regions, Text{"regions", Need::required,
                          "Physical surfaces of the mesh that are made of this rock."});
   option(m.rock.permeability,
-         Quantity{"permeability", "m2", finite, Need::required,
+         Quantity{"permeability", "m2", finite, Need::optional,
                   "Intrinsic permeability: one value, or the tensor as [kxx, kyy, kxy] or "
-                  "[[kxx, kxy], [kxy, kyy]]; positive definite."});
-  option(m.rock.porosity, Quantity{"porosity", "1", positive_fraction, Need::required,
-                                   "Volume of pores over volume of rock."});
+                  "[[kxx, kxy], [kxy, kyy]]; positive definite.",
+                  "required in seepage"});
+  option(m.rock.porosity, Quantity{"porosity", "1", positive_fraction, Need::optional,
+                                   "Volume of pores over volume of rock.", "required in seepage"});
   option(m.rock.biot_modulus,
          Quantity{"biot_modulus", "Pa", positive, Need::optional,
                   "Biot modulus: pressure per fluid content at constant volume.",
                   "bulk modulus of the fluid over porosity"});
+  list_elasticity(option, m.solid);
+  using simulation::RockJoints;
+  option(m.joints, Choice<RockJoints>{
+                       "joints",
+                       {{RockJoints::breakable, "breakable"}, {RockJoints::elastic, "elastic"}},
+                       "Whether the joints between triangles may break, or the rock stays "
+                       "whole and elastic."});
+  list_strength(option, m.strength,
+                {"required where joints are breakable",
+                 "required where joints are breakable or in a body; else 0", "friction_angle"});
+  option(m.weibull_modulus,
+         Quantity{"weibull_modulus", "1", positive, Need::optional,
+                  "Weibull modulus of the strengths, which then differ from joint to joint.",
+                  "all joints alike"});
+  option(m.weibull_seed, Count{"weibull_seed", 0, std::numeric_limits<int>::max(), Need::optional,
+                               "Number that chooses the strengths. Needs weibull_modulus."});
 }
 
 template <class V>
 void describe(V& option, simulation::FractureGroup& m) {
   option(m.groups, Text{"groups", Need::required,
                         "Physical curves of the mesh that are fractures of this kind."});
-  option(m.fracture.initial_aperture,
-         Quantity{"initial_aperture", "m", positive, Need::required, "Hydraulic aperture."});
+  option(m.fracture.initial_aperture, Quantity{"initial_aperture", "m", positive, Need::optional,
+                                               "Hydraulic aperture.", "required in seepage"});
   option(m.fracture.minimum_aperture, Quantity{"minimum_aperture", "m", not_negative,
                                                Need::optional, "Lower bound of the aperture."});
   option(m.fracture.maximum_aperture,
@@ -86,9 +117,18 @@ void describe(V& option, simulation::FractureGroup& m) {
                   "Intrinsic transmissivity: permeability along the fracture times aperture.",
                   "cubic law, aperture^3/12"});
   option(m.fracture.exchange,
-         Quantity{"exchange", "m/(Pa s)", not_negative_or_infinite, Need::required,
+         Quantity{"exchange", "m/(Pa s)", not_negative_or_infinite, Need::optional,
                   "Flux between the fracture and one of its faces per pressure difference; \"inf\" "
-                  "gives fracture and faces one pressure, 0 seals the faces."});
+                  "gives fracture and faces one pressure, 0 seals the faces.",
+                  "required in seepage"});
+  using simulation::Bond;
+  option(m.bond, Choice<Bond>{"bond",
+                              {{Bond::broken, "broken"}, {Bond::cohesive, "cohesive"}},
+                              "Whether the fracture is broken from the start, or bonded with "
+                              "strengths of its own."});
+  list_strength(option, m.strength,
+                {"required with bond = \"cohesive\"", "required with bond = \"cohesive\"",
+                 "friction_angle; of a broken fracture that of the material"});
 }
 
 }  // namespace percolith::case_file

@@ -16,7 +16,7 @@ void describe(V& option, simulation::Stepping& m) {
                                    {Scheme::steady, "steady"}},
                                   "implicit takes long, error-controlled steps; explicit takes "
                                   "small ones below its stability limit; steady finds the state "
-                                  "that no longer changes."});
+                                  "that no longer changes. Mechanics is always explicit."});
   option(m.end, Quantity{"end", "s", positive, Need::optional,
                          "Time at which the run ends. Needs implicit or explicit.",
                          "required unless steady"});
@@ -34,6 +34,14 @@ void describe(V& option, simulation::Stepping& m) {
                                "implicit without step."});
   option(m.safety, Quantity{"safety", "1", positive_fraction, Need::optional,
                             "Share of the stability limit that is used. Needs explicit."});
+  option(m.stop_ratio, Quantity{"stop_ratio", "1", Bounds{0.0, 1.0, false, false}, Need::optional,
+                                "Unbalanced force over internal forces below which the rock is at "
+                                "rest and the run ends.",
+                                "the run goes on to its end"});
+  option(m.mass_scaling_step,
+         Quantity{"mass_scaling_step", "s", positive, Need::optional,
+                  "Step that triangles with a lower limit are made to bear, by more mass.",
+                  "no mass is added"});
 }
 
 template <class V>

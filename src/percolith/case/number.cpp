@@ -52,7 +52,7 @@ void report(Context& context, const Node& node, const std::string& key, std::str
 }
 
 std::string allowed_number(const Quantity& quantity) {
-  const Dimension dimension = dimension_of(quantity.unit);
+  const Dimension dimension = dimension_of(quantity.unit, quantity.dimension);
   if (quantity.unit == "1") {
     return "a number, or a text such as \"10 %\"";
   }
@@ -71,7 +71,8 @@ std::optional<double> read_number(const Node& node, const std::string& key,
     report(context, node, key, "not a number", to_text(quantity.bounds, quantity.unit));
     return std::nullopt;
   }
-  const Units::Converted converted = context.units.convert(raw->number, raw->unit, quantity.unit);
+  const Units::Converted converted =
+      context.units.convert(raw->number, raw->unit, quantity.unit, quantity.dimension);
   if (!converted.value) {
     report(context, node, key, converted.reason, allowed_number(quantity));
     return std::nullopt;

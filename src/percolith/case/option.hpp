@@ -35,6 +35,8 @@ inline constexpr Bounds not_negative{0.0, infinite, true, false};
 inline constexpr Bounds not_negative_or_infinite{0.0, infinite, true, true};
 inline constexpr Bounds fraction{0.0, 1.0, true, true};
 inline constexpr Bounds positive_fraction{0.0, 1.0, false, true};
+/// An angle from 0 up to, without, a right one.
+inline constexpr Bounds slope_angle{0.0, 1.5707963267948966, true, false};
 
 /// The interval in words, with the unit: `a finite number > 0 m2`, `0 <= value <= 1`,
 /// `>= 0 m or inf`.
@@ -43,7 +45,8 @@ inline constexpr Bounds positive_fraction{0.0, 1.0, false, true};
 /// A number with a unit, or several: the member may be a number, an optional number, a list, a
 /// point, a tensor or a schedule. `unit` is the SI unit in the notation of UDUNITS, "1" for none.
 /// `absent` says what it means not to give the option, where the
-/// member's initialiser does not.
+/// member's initialiser does not; `dimension`
+/// says what is measured, where the unit alone would name another.
 struct Quantity {
   std::string_view name;
   std::string_view unit;
@@ -51,6 +54,7 @@ struct Quantity {
   Need need = Need::optional;
   std::string_view help;
   std::string_view absent = {};
+  std::string_view dimension = {};
 };
 
 /// A text, or a list of texts.

@@ -189,15 +189,16 @@ bool check_form(const Node& node, const std::string& key, const ScheduleTable& t
 
 /// Reports a unit that cannot be that of the quantity, once, instead of at every entry.
 bool check_unit(const Node& node, const std::string& key, const std::string& name,
-                const std::string& unit, std::string_view si_unit, Context& context) {
+                const std::string& unit, const Quantity& quantity, Context& context) {
   if (unit.empty()) {
     return true;
   }
-  const Units::Converted converted = context.units.convert(1.0, unit, si_unit);
+  const Units::Converted converted =
+      context.units.convert(1.0, unit, quantity.unit, quantity.dimension);
   if (!converted.value) {
+    const Dimension dimension = dimension_of(quantity.unit, quantity.dimension);
     report(context, *node.table()->find(name), join_key(key, name), converted.reason,
-           fmt::format("a unit of {}, such as that of \"{}\"", dimension_of(si_unit).name,
-                       dimension_of(si_unit).example));
+           fmt::format("a unit of {}, such as that of \"{}\"", dimension.name, dimension.example));
   }
   return converted.value.has_value();
 }
@@ -214,14 +215,15 @@ std::optional<Schedule> read_schedule(const Node& node, const std::string& key,
     const auto number = read_number(node, key, option, context);
     return number ? std::optional(Schedule::constant(*number)) : std::nullopt;
   }
+  constexpr Quantity times{"times", "s", finite, Need::optional, {}};
   ScheduleTable table;
   table.quantity = option;
   Reader reader(node, key, context);
   describe(reader, table);
   reader.finish();
   if (context.problems.touch(key) || !check_form(node, key, table, context) ||
-      !check_unit(node, key, "time_unit", table.time_unit, "s", context) ||
-      !check_unit(node, key, "value_unit", table.value_unit, option.unit, context)) {
+      !check_unit(node, key, "time_unit", table.time_unit, times, context) ||
+      !check_unit(node, key, "value_unit", table.value_unit, option, context)) {
     return std::nullopt;
   }
   return table.file.empty() ? read_inline(node, key, table, context)

@@ -98,20 +98,29 @@ void Reader::operator()(std::vector<double>& member, const Quantity& option) {
   }
 }
 
-void Reader::operator()(std::optional<std::array<double, 2>>& member, const Quantity& option) {
+std::optional<std::array<double, 2>> Reader::read_point(const Quantity& option) {
   const Node* node = find(option.name, option.need, option.help);
   if (node == nullptr) {
-    return;
+    return std::nullopt;
   }
   if (node->array() == nullptr || node->array()->size() != 2) {
     refuse(*node, option.name, "expects a point", "[x, y], each " + allowed_number(option));
-    return;
+    return std::nullopt;
   }
   const auto x = read_number((*node->array())[0], key(option.name), option, context_);
   const auto y = read_number((*node->array())[1], key(option.name), option, context_);
-  if (x && y) {
-    member = {*x, *y};
+  if (!x || !y) {
+    return std::nullopt;
   }
+  return std::array<double, 2>{*x, *y};
+}
+
+void Reader::operator()(std::array<double, 2>& member, const Quantity& option) {
+  member = read_point(option).value_or(member);
+}
+
+void Reader::operator()(std::optional<std::array<double, 2>>& member, const Quantity& option) {
+  member = read_point(option);
 }
 
 void Reader::operator()(std::optional<Schedule>& member, const Quantity& option) {

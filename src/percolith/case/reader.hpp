@@ -27,6 +27,7 @@ public:
   void operator()(double& member, const Quantity& option);
   void operator()(std::optional<double>& member, const Quantity& option);
   void operator()(std::vector<double>& member, const Quantity& option);
+  void operator()(std::array<double, 2>& member, const Quantity& option);
   void operator()(std::optional<std::array<double, 2>>& member, const Quantity& option);
   void operator()(Tensor& member, const Quantity& option);
   void operator()(std::optional<Schedule>& member, const Quantity& option);
@@ -39,6 +40,8 @@ public:
   void operator()(Enumeration& member, const Choice<Enumeration>& option);
   template <class Struct>
   void operator()(Struct& member, const Table& option);
+  template <class Struct>
+  void operator()(std::optional<Struct>& member, const Table& option);
   template <class Struct>
   void operator()(std::map<std::string, Struct>& member, const NamedTables& option);
 
@@ -55,6 +58,7 @@ private:
                      const std::vector<std::string_view>& names);
   /// True where the user may give a table this name; reports it otherwise.
   bool check_name(const Entry& entry, const std::string& key);
+  std::optional<std::array<double, 2>> read_point(const Quantity& option);
   std::optional<std::string> read_text(const Node& node, std::string_view name);
   [[nodiscard]] std::string key(std::string_view name) const { return join_key(path_, name); }
 
@@ -97,6 +101,17 @@ void Reader::operator()(Struct& member, const Table& option) {
   Reader inner(node != nullptr ? *node : absent, key(option.name), context_);
   describe(inner, member);
   inner.finish();
+}
+
+template <class Struct>
+void Reader::operator()(std::optional<Struct>& member, const Table& option) {
+  known_.push_back(option.name);
+  const Node* node = find_table(table_, option.name, key(option.name));
+  if (node != nullptr) {
+    Reader inner(*node, key(option.name), context_);
+    describe(inner, member.emplace());
+    inner.finish();
+  }
 }
 
 template <class Struct>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/case/applies.hpp"
 #include "percolith/case/describe.hpp"
 #include "percolith/case/documents.hpp"
 #include "percolith/case/node.hpp"
@@ -42,12 +43,15 @@ public:
   void operator()(PendingList& /*member*/, const Quantity& option) {
     number(option, "list of quantities", "none");
   }
+  void operator()(std::array<double, 2>& /*member*/, const Quantity& option) {
+    number(option, "point [x, y]", option.absent);
+  }
   void operator()(std::optional<std::array<double, 2>>& /*member*/, const Quantity& option) {
     number(option, "point [x, y]", option.absent);
   }
   void operator()(Tensor& /*member*/, const Quantity& option) {
     row(option.name, fmt::format("quantity or tensor, {}", option.unit), "positive definite",
-        initial(option.need, {}), option.help);
+        initial(option.need, option.absent), option.help);
   }
   void operator()(std::optional<Schedule>& /*member*/, const Quantity& option) {
     number(option, "quantity over time", option.absent);
@@ -85,6 +89,11 @@ public:
     section(join_key(path_, option.name), option.help, member);
   }
   template <class Struct>
+  void operator()(std::optional<Struct>& /*member*/, const Table& option) {
+    Struct member;
+    section(join_key(path_, option.name), option.help, member);
+  }
+  template <class Struct>
   void operator()(std::map<std::string, Struct>& /*member*/, const NamedTables& option) {
     Struct member;
     section(join_key(join_key(path_, option.name), "NAME"), option.help, member);
@@ -96,7 +105,19 @@ private:
     std::string rows;
     ReferenceWriter inner(path, rows, sections_);
     describe(inner, member);
-    sections_ += fmt::format("\n## `[{}]`\n\n{}\n{}{}", path, help, table_head, rows);
+    sections_ +=
+        fmt::format("\n## `[{}]`\n\n{}{}\n{}{}", path, help, physics_note(path), table_head, rows);
+  }
+
+  /// The physics that an option or a table belongs to, where it does not belong to all.
+  static std::string physics_note(const std::string& path) {
+    const std::size_t name = path.find("NAME");
+    const std::string pattern =
+        name == std::string::npos
+            ? path
+            : fmt::format("{}*{}", path.substr(0, name), path.substr(name + 4));
+    const std::string_view physics = physics_of(pattern);
+    return physics.empty() ? "" : fmt::format(" *In {} only.*", physics);
   }
 
   static std::string initial(Need need, std::string_view text) {
@@ -111,7 +132,8 @@ private:
 
   void row(std::string_view name, std::string_view kind, std::string_view allowed,
            std::string_view text, std::string_view help) {
-    rows_ += fmt::format("| `{}` | {} | {} | {} | {} |\n", name, kind, allowed, text, help);
+    rows_ += fmt::format("| `{}` | {} | {} | {} | {}{} |\n", name, kind, allowed, text, help,
+                         physics_note(join_key(path_, name)));
   }
 
   std::string path_;

@@ -104,6 +104,15 @@ public:
     write_table(join_key(path_, option.name), member);
   }
   template <class Struct>
+  void operator()(std::optional<Struct>& member, const Table& option) {
+    const std::string path = join_key(path_, option.name);
+    if (member) {
+      write_table(path, *member);
+    } else if (!write_unused(path)) {
+      text_ += fmt::format("\n# [{}] is not given\n", path);
+    }
+  }
+  template <class Struct>
   void operator()(std::map<std::string, Struct>& member, const NamedTables& option) {
     for (auto& [name, value] : member) {
       write_table(join_key(join_key(path_, option.name), name), value);
@@ -113,9 +122,21 @@ public:
 private:
   template <class Struct>
   void write_table(const std::string& path, Struct& member) {
+    if (write_unused(path)) {
+      return;
+    }
     text_ += fmt::format("\n[{}]\n", path);
     ResolvedWriter inner(path, setup_, text_);
     describe(inner, member);
+  }
+
+  /// Says that a table has no effect; false where it has one.
+  bool write_unused(const std::string& path) {
+    const std::string unused = why_unused(path, setup_);
+    if (!unused.empty()) {
+      text_ += fmt::format("\n# [{}] has no effect: it needs {}\n", path, unused);
+    }
+    return !unused.empty();
   }
 
   void write(std::string_view name, const std::string& value, std::string_view unit) {

@@ -2,6 +2,8 @@
 #include "percolith/case/rules.hpp"
 
 #include "percolith/case/applies.hpp"
+#include "percolith/case/option_list.hpp"
+#include "percolith/case/requirements.hpp"
 
 #include <algorithm>
 
@@ -34,10 +36,17 @@ void Rules::fail(const std::string& key, const std::vector<std::string>& others,
 
 void check_rules(const simulation::Setup& setup, Context& context) {
   Rules rules(setup, context);
+  check_physics(rules);
   check_applicability(rules);
+  check_requirements(rules);
   check_model(rules);
-  check_conditions(rules);
-  check_saturation(rules);
+  if (rules.is_mechanics()) {
+    check_mechanics(rules);
+    check_supports(rules);
+  } else {
+    check_conditions(rules);
+    check_saturation(rules);
+  }
   check_run(rules);
 }
 
@@ -51,16 +60,37 @@ std::vector<std::string> names_of(const std::string& pattern, const simulation::
       names.push_back(name);
     }
   };
-  if (pattern.rfind("boundary.", 0) == 0) {
-    collect(setup.boundary);
-  } else if (pattern.rfind("source.", 0) == 0) {
-    collect(setup.source);
-  } else if (pattern.rfind("probe.", 0) == 0) {
-    collect(setup.probe);
-  } else {
+  const std::string holder = pattern.substr(0, pattern.find('.'));
+  if (pattern.find('*') == std::string::npos) {
     names.emplace_back();
+  } else if (holder == "material") {
+    collect(setup.material);
+  } else if (holder == "fracture") {
+    collect(setup.fracture);
+  } else if (holder == "boundary") {
+    collect(setup.boundary);
+  } else if (holder == "source") {
+    collect(setup.source);
+  } else if (holder == "body") {
+    collect(setup.body);
+  } else if (holder == "point_force") {
+    collect(setup.point_force);
+  } else if (holder == "excavation") {
+    collect(setup.excavation);
+  } else if (holder == "probe") {
+    collect(setup.probe);
   }
   return names;
+}
+
+std::vector<std::string> keys_of(const std::vector<std::string>& patterns,
+                                 const std::string& name) {
+  std::vector<std::string> keys;
+  keys.reserve(patterns.size());
+  for (const std::string& pattern : patterns) {
+    keys.push_back(with_name(pattern, name));
+  }
+  return keys;
 }
 
 }  // namespace
@@ -72,11 +102,18 @@ void check_applicability(Rules& rules) {
       if (!rules.given(key) || rule.holds(rules.setup(), name)) {
         continue;
       }
-      std::vector<std::string> needs;
-      for (const std::string& need : rule.needs) {
-        needs.push_back(with_name(need, name));
+      rules.fail(key, keys_of(rule.needs, name), "has no effect here: it needs " + rule.condition);
+    }
+  }
+}
+
+void check_requirements(Rules& rules) {
+  for (const Requirement& rule : requirements()) {
+    for (const std::string& name : names_of(rule.option, rules.setup())) {
+      const std::string key = with_name(rule.option, name);
+      if (!rules.given(key) && rule.holds(rules.setup(), name)) {
+        rules.fail(key, keys_of(rule.needs, name), "required but missing: " + help_of(rule.option));
       }
-      rules.fail(key, needs, "has no effect here: it needs " + rule.condition);
     }
   }
 }

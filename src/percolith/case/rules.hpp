@@ -4,7 +4,9 @@
 #include "percolith/case/number.hpp"
 #include "percolith/simulation/setup.hpp"
 
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace percolith::case_file {
@@ -15,6 +17,9 @@ public:
   Rules(const simulation::Setup& setup, Context& context) : setup_(setup), context_(context) {}
 
   [[nodiscard]] const simulation::Setup& setup() const { return setup_; }
+  [[nodiscard]] bool is_mechanics() const {
+    return setup_.model.physics == simulation::Physics::mechanics;
+  }
   /// True where the user wrote this option, rightly or wrongly.
   [[nodiscard]] bool given(const std::string& key) const { return context_.locations.given(key); }
   /// Those of the options `names` of the table `path` that the user wrote, as dotted keys.
@@ -29,16 +34,41 @@ private:
   Context& context_;
 };
 
+/// Names of physical groups: at least one, none empty, none in two tables of the same kind.
+class GroupNames {
+public:
+  explicit GroupNames(Rules& rules) : rules_(rules) {}
+
+  /// The `names` that the option `key` gives.
+  void add(const std::string& key, const std::vector<std::string>& names);
+
+private:
+  Rules& rules_;
+  std::map<std::string, std::string> owner_;
+};
+
+/// Reports that `key` was given together with `other`, an option of the same table.
+void report_contradiction(Rules& rules, const std::string& key, const std::string& other,
+                          const std::vector<std::string_view>& names);
+
 /// Reports every contradiction between options. A rule is silent where one of the options it needs
 /// has a problem of its own.
 void check_rules(const simulation::Setup& setup, Context& context);
 
+/// The scheme of mechanics.
+void check_physics(Rules& rules);
 /// Options that have no effect because of others.
 void check_applicability(Rules& rules);
+/// Options that are missing where others make them required.
+void check_requirements(Rules& rules);
 /// Mesh, rocks and fractures.
 void check_model(Rules& rules);
 /// Boundary, source and initial conditions.
 void check_conditions(Rules& rules);
+/// Layers, bodies, forces, in-situ stress, excavations and damping.
+void check_mechanics(Rules& rules);
+/// Supports and loads of boundaries in mechanics.
+void check_supports(Rules& rules);
 /// Pressures of conditions below the cavitation pressure, and saturations that contradict them.
 void check_saturation(Rules& rules);
 /// Time stepping, output and probes.

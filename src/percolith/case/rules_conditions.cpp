@@ -10,22 +10,16 @@ namespace {
 
 using simulation::Domain;
 
-std::string option_name(const std::string& key) {
-  return key.substr(key.rfind('.') + 1);
-}
-
 /// Reports more than one of the options, and none of them where one is `required`.
 void check_one_of(Rules& rules, const std::string& path, const std::vector<std::string>& names,
                   Need need) {
   const std::vector<std::string_view> views(names.begin(), names.end());
   const std::vector<std::string> keys = rules.given_of(path, names);
   if (keys.empty() && need == Need::required) {
-    rules.fail(path, {}, "one option is missing", "one of " + listed(views));
+    rules.fail(path, {"model.physics"}, "one option is missing", "one of " + listed(views));
   }
   for (std::size_t i = 1; i < keys.size(); ++i) {
-    rules.fail(keys[i], {},
-               fmt::format("contradicts \"{}\", which is given too", option_name(keys[0])),
-               "only one of " + listed(views));
+    report_contradiction(rules, keys[i], keys[0], views);
   }
 }
 
@@ -102,6 +96,13 @@ void check_initial(Rules& rules) {
 }
 
 }  // namespace
+
+void report_contradiction(Rules& rules, const std::string& key, const std::string& other,
+                          const std::vector<std::string_view>& names) {
+  const std::string other_name = other.substr(other.rfind('.') + 1);
+  rules.fail(key, {}, fmt::format("contradicts \"{}\", which is given too", other_name),
+             "only one of " + listed(names));
+}
 
 void check_conditions(Rules& rules) {
   check_boundary(rules);

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
-
 namespace percolith::case_file {
 
 namespace {
@@ -13,39 +11,20 @@ bool ends_with(const std::string& text, std::string_view end) {
   return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// Names of physical groups: at least one, none empty, none in two tables of the same kind.
-class GroupNames {
-public:
-  explicit GroupNames(Rules& rules) : rules_(rules) {}
-
-  void add(const std::string& key, const std::vector<std::string>& names) {
-    if (names.empty() && rules_.given(key)) {
-      rules_.fail(key, {}, "names no physical group of the mesh", "at least one name");
-    }
-    for (const std::string& name : names) {
-      const auto [entry, is_new] = owner_.try_emplace(name, key);
-      if (name.empty()) {
-        rules_.fail(key, {}, "a name is empty", "names of physical groups of the mesh");
-      } else if (!is_new) {
-        rules_.fail(key, {},
-                    entry->second == key
-                        ? fmt::format("\"{}\" is named twice", name)
-                        : fmt::format("\"{}\" already belongs to {}", name, entry->second),
-                    "each name once");
-      }
-    }
-  }
-
-private:
-  Rules& rules_;
-  std::map<std::string, std::string> owner_;
-};
-
 void check_mesh(Rules& rules) {
   const std::string& file = rules.setup().mesh.file;
   if (!ends_with(file, ".msh") && !ends_with(file, ".geo")) {
     rules.fail("mesh.file", {}, "neither a mesh nor a geometry of Gmsh",
                "a file that ends in .msh or .geo");
+  }
+}
+
+void check_permeability(Rules& rules, const std::string& key, const Tensor& k) {
+  const bool scalar = k.xx == k.yy && k.xy == 0.0;
+  if (!is_positive_definite(k)) {
+    rules.fail(key, {"model.physics"},
+               scalar ? "out of range" : "the tensor is not positive definite",
+               scalar ? to_text(positive, "m2") : "kxx > 0, kyy > 0 and kxx kyy > kxy^2");
   }
 }
 
@@ -57,13 +36,23 @@ void check_materials(Rules& rules) {
   for (const auto& [name, material] : rules.setup().material) {
     const std::string path = "material." + name;
     regions.add(path + ".regions", material.regions);
-    const Tensor& k = material.rock.permeability;
-    const bool scalar = k.xx == k.yy && k.xy == 0.0;
-    if (!is_positive_definite(k)) {
-      rules.fail(path + ".permeability", {},
-                 scalar ? "out of range" : "the tensor is not positive definite",
-                 scalar ? to_text(positive, "m2") : "kxx > 0, kyy > 0 and kxx kyy > kxy^2");
+    if (!rules.is_mechanics()) {
+      check_permeability(rules, path + ".permeability", material.rock.permeability);
     }
+  }
+}
+
+void check_hydraulics(Rules& rules, const std::string& path, const material::Fracture& fracture) {
+  if (fracture.minimum_aperture > fracture.maximum_aperture) {
+    rules.fail(path + ".minimum_aperture", {path + ".maximum_aperture"},
+               "greater than maximum_aperture",
+               fmt::format("at most {} m", fracture.maximum_aperture));
+  }
+  const bool is_explicit = rules.setup().time.scheme == simulation::Scheme::explicit_;
+  if (is_explicit && fracture.exchange == infinite) {
+    rules.fail(path + ".exchange", {"time.scheme"},
+               "the explicit scheme cannot give fracture and rock one pressure",
+               "a finite exchange, or time.scheme = \"implicit\"");
   }
 }
 
@@ -72,17 +61,8 @@ void check_fractures(Rules& rules) {
   for (const auto& [name, group] : rules.setup().fracture) {
     const std::string path = "fracture." + name;
     groups.add(path + ".groups", group.groups);
-    const material::Fracture& fracture = group.fracture;
-    if (fracture.minimum_aperture > fracture.maximum_aperture) {
-      rules.fail(path + ".minimum_aperture", {path + ".maximum_aperture"},
-                 "greater than maximum_aperture",
-                 fmt::format("at most {} m", fracture.maximum_aperture));
-    }
-    const bool is_explicit = rules.setup().time.scheme == simulation::Scheme::explicit_;
-    if (is_explicit && fracture.exchange == infinite) {
-      rules.fail(path + ".exchange", {"time.scheme"},
-                 "the explicit scheme cannot give fracture and rock one pressure",
-                 "a finite exchange, or time.scheme = \"implicit\"");
+    if (!rules.is_mechanics()) {
+      check_hydraulics(rules, path, group.fracture);
     }
   }
 }
@@ -95,6 +75,24 @@ void check_boundary_groups(Rules& rules) {
 }
 
 }  // namespace
+
+void GroupNames::add(const std::string& key, const std::vector<std::string>& names) {
+  if (names.empty() && rules_.given(key)) {
+    rules_.fail(key, {}, "names no physical group of the mesh", "at least one name");
+  }
+  for (const std::string& name : names) {
+    const auto [entry, is_new] = owner_.try_emplace(name, key);
+    if (name.empty()) {
+      rules_.fail(key, {}, "a name is empty", "names of physical groups of the mesh");
+    } else if (!is_new) {
+      rules_.fail(key, {},
+                  entry->second == key
+                      ? fmt::format("\"{}\" is named twice", name)
+                      : fmt::format("\"{}\" already belongs to {}", name, entry->second),
+                  "each name once");
+    }
+  }
+}
 
 void check_model(Rules& rules) {
   check_mesh(rules);

@@ -16,7 +16,8 @@ void check_time(Rules& rules) {
   const simulation::Stepping& time = rules.setup().time;
   if (time.scheme != Scheme::steady && !rules.given("time.end")) {
     rules.fail("time.end", {"time.scheme"}, "required but missing: the time at which the run ends",
-               to_text(positive, "s") + ", or time.scheme = \"steady\"");
+               to_text(positive, "s") +
+                   (rules.is_mechanics() ? "" : ", or time.scheme = \"steady\""));
   }
   if (time.initial_step && time.maximum_step && *time.initial_step > *time.maximum_step) {
     rules.fail("time.initial_step", {"time.maximum_step"}, "greater than maximum_step",
@@ -85,6 +86,13 @@ void check_probe(Rules& rules, const std::string& path, const simulation::Probe&
 }
 
 }  // namespace
+
+void check_physics(Rules& rules) {
+  if (rules.is_mechanics() && rules.setup().time.scheme != Scheme::explicit_) {
+    rules.fail("time.scheme", {"model.physics"}, "mechanics is advanced explicitly",
+               "\"explicit\", or none");
+  }
+}
 
 void check_run(Rules& rules) {
   check_time(rules);

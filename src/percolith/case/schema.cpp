@@ -85,15 +85,18 @@ public:
   void operator()(PendingList& /*member*/, const Quantity& option) {
     add(option, list_of(number_schema(option), 1, 0), nullptr);
   }
+  void operator()(std::array<double, 2>& /*member*/, const Quantity& option) {
+    add(option, list_of(number_schema(option), 2, 2), nullptr);
+  }
   void operator()(std::optional<std::array<double, 2>>& /*member*/, const Quantity& option) {
     add(option, list_of(number_schema(option), 2, 2), nullptr);
   }
-  void operator()(Tensor& member, const Quantity& option) {
+  void operator()(Tensor& /*member*/, const Quantity& option) {
     Json any = Json::array();
     any.push_back(number_schema({option.name, option.unit, positive, option.need, {}}));
     any.push_back(list_of(number_schema(option), 3, 3));
     any.push_back(list_of(list_of(number_schema(option), 2, 2), 2, 2));
-    add(option, Json{{"anyOf", std::move(any)}}, json_of(member.xx));
+    add(option, Json{{"anyOf", std::move(any)}}, nullptr);
   }
   void operator()(std::optional<Schedule>& /*member*/, const Quantity& option) {
     ScheduleTable form;
@@ -137,6 +140,11 @@ public:
     Json inner = table_of(member);
     const Need need = inner.contains("required") ? Need::required : Need::optional;
     put(option.name, need, option.help, inner, nullptr);
+  }
+  template <class Struct>
+  void operator()(std::optional<Struct>& /*member*/, const Table& option) {
+    Struct member;
+    put(option.name, Need::optional, option.help, table_of(member), nullptr);
   }
   template <class Struct>
   void operator()(std::map<std::string, Struct>& /*member*/, const NamedTables& option) {

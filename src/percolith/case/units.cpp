@@ -33,26 +33,32 @@ struct KnownDimension {
   std::string_view unit;
   Dimension dimension;
 };
-constexpr std::array<KnownDimension, 12> known_dimensions{{
+constexpr std::array<KnownDimension, 18> known_dimensions{{
     {"1", {"plain number", "10 %"}},
     {"m", {"length", "5 cm"}},
     {"m2", {"permeability", "10 mdarcy"}},
     {"m3", {"intrinsic transmissivity", "1e-12 m3"}},
     {"s", {"time", "3 hour"}},
     {"m/s", {"flux", "1e-8 m/s"}},
+    {"m/s", {"velocity", "5 cm/s"}},
     {"m/s2", {"acceleration", "9.81 m/s2"}},
     {"m2/s", {"rate per metre of thickness", "1e-2 m2/s"}},
     {"Pa", {"pressure", "2 MPa"}},
     {"Pa s", {"viscosity", "1 cP"}},
     {"kg/m3", {"density", "1 g/cm3"}},
+    {"rad", {"angle", "30 deg"}},
+    {"J/m2", {"fracture energy", "10 J/m2"}},
+    {"N/m", {"force per metre of thickness", "5 kN/m"}},
+    {"Pa/m", {"stress per length", "25 kPa/m"}},
+    {"kg/(m s)", {"nodal viscosity", "1e4 kg/(m s)"}},
     {"m/(Pa s)", {"exchange coefficient", "2e-7 m/(Pa s)"}},
 }};
 
 }  // namespace
 
-Dimension dimension_of(std::string_view si_unit) {
+Dimension dimension_of(std::string_view si_unit, std::string_view name) {
   for (const KnownDimension& known : known_dimensions) {
-    if (known.unit == si_unit) {
+    if (known.unit == si_unit && (name.empty() || known.dimension.name == name)) {
       return known.dimension;
     }
   }
@@ -89,7 +95,8 @@ void Units::Database::load() {
 Units::Units() : database_(std::make_unique<Database>()) {}
 Units::~Units() = default;
 
-Units::Converted Units::convert(double value, std::string_view unit, std::string_view si_unit) {
+Units::Converted Units::convert(double value, std::string_view unit, std::string_view si_unit,
+                                std::string_view dimension) {
   if (unit == si_unit) {
     return {value, {}};
   }
@@ -106,11 +113,11 @@ Units::Converted Units::convert(double value, std::string_view unit, std::string
   }
   const UnitHandle to = database_->parse(si_unit);
   if (!to || ut_are_convertible(from.get(), to.get()) == 0) {
-    return {
-        std::nullopt,
-        si_unit == "1"
-            ? fmt::format("the unit \"{}\" has a dimension, which the option has not", unit)
-            : fmt::format("the unit \"{}\" is not one of {}", unit, dimension_of(si_unit).name)};
+    return {std::nullopt,
+            si_unit == "1"
+                ? fmt::format("the unit \"{}\" has a dimension, which the option has not", unit)
+                : fmt::format("the unit \"{}\" is not one of {}", unit,
+                              dimension_of(si_unit, dimension).name)};
   }
   const std::unique_ptr<cv_converter, ConverterDeleter> converter(
       ut_get_converter(from.get(), to.get()));

@@ -14,8 +14,9 @@ struct Dimension {
   std::string_view example;  ///< "2 MPa"
 };
 
-/// The dimension of a unit that options use; a unit unknown here is its own name.
-[[nodiscard]] Dimension dimension_of(std::string_view si_unit);
+/// The dimension of a unit that options use, and that of the given name where several have the
+/// unit; a unit unknown here is its own name.
+[[nodiscard]] Dimension dimension_of(std::string_view si_unit, std::string_view name = {});
 
 /// Converts values to SI units with UDUNITS-2 and a few units of the field that it lacks (cP, mD,
 /// D, deg).
@@ -31,9 +32,10 @@ public:
     std::optional<double> value;
     std::string reason;
   };
-  /// `value` in `unit` as a value in `si_unit`. The first conversion reads the unit database, and
-  /// throws FileError where it cannot.
-  [[nodiscard]] Converted convert(double value, std::string_view unit, std::string_view si_unit);
+  /// `value` in `unit` as a value in `si_unit`, whose dimension has that name. The first conversion
+  /// reads the unit database, and throws FileError where it cannot.
+  [[nodiscard]] Converted convert(double value, std::string_view unit, std::string_view si_unit,
+                                  std::string_view dimension = {});
 
 private:
   struct Database;

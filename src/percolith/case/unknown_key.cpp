@@ -1,43 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/case/unknown_key.hpp"
 
-#include "percolith/case/describe.hpp"
 #include "percolith/case/nearest.hpp"
+#include "percolith/case/option.hpp"
+#include "percolith/case/option_list.hpp"
 
 #include <fmt/format.h>
-
-#include <map>
 
 namespace percolith::case_file {
 
 namespace {
-
-/// The visitor that notes the path of every option.
-class PathLister {
-public:
-  PathLister(std::string path, std::vector<std::string>& paths)
-      : path_(std::move(path)), paths_(paths) {}
-
-  template <class Member, class Option>
-  void operator()(Member& /*member*/, const Option& option) {
-    paths_.push_back(join_key(path_, option.name));
-  }
-  template <class Struct>
-  void operator()(Struct& member, const Table& option) {
-    PathLister inner(join_key(path_, option.name), paths_);
-    describe(inner, member);
-  }
-  template <class Struct>
-  void operator()(std::map<std::string, Struct>& /*member*/, const NamedTables& option) {
-    PathLister inner(join_key(path_, option.name) + ".*", paths_);
-    Struct member;
-    describe(inner, member);
-  }
-
-private:
-  std::string path_;
-  std::vector<std::string>& paths_;
-};
 
 /// The tables that have an option of this name, as they are written: `[fluid]`, `[source.NAME]`.
 std::string tables_with(const std::string& name) {
@@ -57,14 +29,6 @@ std::string tables_with(const std::string& name) {
 }
 
 }  // namespace
-
-std::vector<std::string> option_paths() {
-  std::vector<std::string> paths;
-  simulation::Setup setup;
-  PathLister lister({}, paths);
-  describe(lister, setup);
-  return paths;
-}
 
 InputProblem unknown_key(const Entry& entry, const std::string& path,
                          const std::vector<std::string_view>& known) {

@@ -15,7 +15,4 @@ namespace percolith::case_file {
 [[nodiscard]] InputProblem unknown_key(const Entry& entry, const std::string& path,
                                        const std::vector<std::string_view>& known);
 
-/// The dotted paths of all options of a case file; `*` stands for a name the user chooses.
-[[nodiscard]] std::vector<std::string> option_paths();
-
 }  // namespace percolith::case_file

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -37,8 +38,30 @@ std::string node_text(const simulation::CheckReport& report) {
                      report.pore_nodes, report.crack_nodes, report.unknowns);
 }
 
+std::string mechanics_text(const simulation::CheckReport& report) {
+  std::size_t width = 0;
+  for (const auto& [name, value] : report.mechanics) {
+    width = std::max(width, name.size());
+  }
+  std::string text = "Mechanics\n";
+  for (const auto& [name, value] : report.mechanics) {
+    text += fmt::format("  {:<{}}  {:>10.5g}\n", name, width, value);
+  }
+  return text;
+}
+
+// `more` stands between the scheme and its step.
+std::string explicit_text(const simulation::Stepping& stepping, double stable,
+                          const std::string& more) {
+  const double step = stepping.safety * stable;
+  const double used = std::fmin(step, stepping.step.value_or(step));
+  return fmt::format("  scheme explicit{}: step {:.4g} s, about {:.3g} steps to the end\n", more,
+                     used, std::ceil(stepping.end / used));
+}
+
 std::string limit_text(const simulation::CheckReport& report,
                        const simulation::Stepping& stepping) {
+  const bool is_mechanics = !report.mechanics.empty();
   std::string text = "Limits of the explicit time step\n";
   bool first = true;
   for (const simulation::StepLimit& limit : report.limits) {
@@ -47,19 +70,18 @@ std::string limit_text(const simulation::CheckReport& report,
     first = false;
   }
   if (first) {
-    return text + "  none: nothing flows\n";
+    return text + (is_mechanics ? "  none: nothing moves\n" : "  none: nothing flows\n");
   }
   double stable = std::numeric_limits<double>::infinity();
   for (const simulation::StepLimit& limit : report.limits) {
     stable = std::fmin(stable, limit.step);  // the mechanisms act together: the last one holds
   }
-  const double step = stepping.safety * stable;
-  switch (stepping.scheme) {
-  case simulation::Scheme::explicit_: {
-    const double used = std::fmin(step, stepping.step.value_or(step));
-    return text + fmt::format("  scheme explicit: step {:.4g} s, about {:.3g} steps to the end\n",
-                              used, std::ceil(stepping.end / used));
+  if (is_mechanics) {  // which has no other scheme
+    return text + explicit_text(stepping, stable, fmt::format(", safety {:g}", stepping.safety));
   }
+  switch (stepping.scheme) {
+  case simulation::Scheme::explicit_:
+    return text + explicit_text(stepping, stable, "");
   case simulation::Scheme::implicit:
     return text + "  scheme implicit: the step is ruled by time.tolerance, not by these\n";
   case simulation::Scheme::steady:
@@ -72,7 +94,9 @@ std::string limit_text(const simulation::CheckReport& report,
 
 std::string check_text(const simulation::CheckReport& report,
                        const simulation::Stepping& stepping) {
-  return mesh_text(report) + node_text(report) + limit_text(report, stepping);
+  return mesh_text(report) +
+         (report.mechanics.empty() ? node_text(report) : mechanics_text(report)) +
+         limit_text(report, stepping);
 }
 
 }  // namespace percolith::cli

@@ -33,7 +33,7 @@ void add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
 
 // The options of all commands and the parser that fills them.
 struct Parser {
-  CLI::App app{"Seepage in fractured porous rock."};
+  CLI::App app{"Seepage in fractured porous rock; deformation and fracture of rock."};
   RunOptions run;
   CheckOptions check;
   SchemaOptions schema;

@@ -3,6 +3,8 @@
 
 #include "percolith/case/documents.hpp"
 #include "percolith/cli/console.hpp"
+#include "percolith/cli/derived_values.hpp"
+#include "percolith/cli/finish_text.hpp"
 #include "percolith/cli/version_text.hpp"
 
 #include <fmt/format.h>
@@ -46,18 +48,7 @@ std::string resolved_case(const LoadedModel& model, const std::string& version) 
   setup.mesh.file = std::filesystem::absolute(model.read_case.directory / setup.mesh.file)
                         .lexically_normal()
                         .string();
-  const simulation::CheckReport report = model.simulation.check();
-  std::vector<case_file::DerivedValue> derived = {
-      {"version of percolith", version, ""},
-      {"triangles", fmt::format("{}", report.triangles), ""},
-      {"pore nodes", fmt::format("{}", report.pore_nodes), ""},
-      {"crack nodes", fmt::format("{}", report.crack_nodes), ""},
-      {"smallest edge", fmt::format("{}", report.smallest_edge), "m"}};
-  for (const simulation::StepLimit& limit : report.limits) {
-    derived.push_back(
-        {"limit of the explicit step by " + limit.mechanism, fmt::format("{}", limit.step), "s"});
-  }
-  return case_file::resolved_toml(setup, derived);
+  return case_file::resolved_toml(setup, derived_values(model.simulation.check(), version));
 }
 
 io::ProgressLine progress_line() {
@@ -114,13 +105,10 @@ void RunRecorder::write_summary(io::Outcome outcome, const std::string& reason) 
 
 void RunRecorder::finish() {
   write_summary(io::Outcome::finished, "");
-  const simulation::Summary summary = model_.simulation.summary();
-  const bool is_steady = model_.read_case.setup.time.scheme == simulation::Scheme::steady;
-  const std::string text = fmt::format(
-      "finished {}, mass balance error {:.1e}; results in {}",
-      is_steady ? "the steady state"
-                : fmt::format("at time {:.6g} s after {} steps", summary.end_time, summary.steps),
-      summary.last.balance.relative_error, directory_.path().string());
+  const simulation::Setup& setup = model_.read_case.setup;
+  const bool is_steady = setup.model.physics == simulation::Physics::seepage &&
+                         setup.time.scheme == simulation::Scheme::steady;
+  const std::string text = finish_text(model_.simulation.summary(), is_steady, directory_.path());
   log_.information(text);
   say(text);
 }

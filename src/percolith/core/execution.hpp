@@ -3,9 +3,12 @@
 
 #include "percolith/core/simd.hpp"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -19,6 +22,13 @@ enum class Backend { serial, host };
 template <class Kernel>
 concept VectorKernel = requires {
   requires Kernel::vectorised;
+};
+
+/// What a loop with `LaneSums` came to.
+template <std::size_t Count>
+struct LaneTotals {
+  std::array<double, Count> sum{};
+  double peak = 0.0;  ///< never below zero
 };
 
 /// Runs loops and keeps the wall time spent in each.
@@ -49,6 +59,22 @@ public:
       run<ScalarLane>(n, kernel);
     }
     book(name, start);
+  }
+
+  /// Like `for_each` for a kernel that also sums: `kernel(lane, sums)` adds to a `LaneSums`.
+  /// The sums run over chunks of fixed length and so do not depend on the number of threads.
+  template <std::size_t Count, class Kernel>
+  LaneTotals<Count> sum_each(const std::string& name, std::int32_t n, const Kernel& kernel) {
+    const auto start = std::chrono::steady_clock::now();
+    LaneTotals<Count> totals;
+    if constexpr (VectorKernel<Kernel>) {
+      totals = backend_ == Backend::host ? run_sums<Count, VectorLane>(padded(n), kernel)
+                                         : run_sums<Count, ScalarLane>(padded(n), kernel);
+    } else {
+      totals = run_sums<Count, ScalarLane>(n, kernel);
+    }
+    book(name, start);
+    return totals;
   }
 
   /// Sum of `term(i)` over 0 .. n-1 in blocks of fixed length: the same bits for any number of
@@ -96,8 +122,38 @@ private:
     }
   }
 
+  template <std::size_t Count, class Lane, class Kernel>
+  LaneTotals<Count> run_sums(std::int32_t n, const Kernel& kernel) {
+    constexpr std::int32_t length = 512;
+    const std::int32_t chunks = (n + length - 1) / length;
+    partial_.resize(static_cast<std::size_t>(chunks) * (Count + 1));
+#pragma omp parallel for schedule(static) num_threads(threads_) if (n > smallest_parallel)
+    for (std::int32_t chunk = 0; chunk < chunks; ++chunk) {
+      LaneSums<Count> sums;
+      const std::int32_t end = std::min(n, (chunk + 1) * length);
+      for (std::int32_t i = chunk * length; i < end; i += Lane::width) {
+        kernel(Lane{i}, sums);
+      }
+      double* out = partial_.data() + static_cast<std::size_t>(chunk) * (Count + 1);
+      for (std::size_t k = 0; k < Count; ++k) {
+        out[k] = std::accumulate(sums.sum[k].begin(), sums.sum[k].end(), 0.0);
+      }
+      out[Count] = *std::max_element(sums.peak.begin(), sums.peak.end());
+    }
+    LaneTotals<Count> totals;
+    for (const double* out = partial_.data(); out != partial_.data() + partial_.size();
+         out += Count + 1) {
+      for (std::size_t k = 0; k < Count; ++k) {
+        totals.sum[k] += out[k];
+      }
+      totals.peak = std::max(totals.peak, out[Count]);
+    }
+    return totals;
+  }
+
   Backend backend_;
   int threads_;
+  std::vector<double> partial_;
   std::map<std::string, double> wall_time_;
 };
 

@@ -3,10 +3,16 @@
 
 #include "percolith/core/device.hpp"
 
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #if !defined(__CUDACC__)
 #include <experimental/simd>
+#if defined(__AVX512F__)
+#include <immintrin.h>
+#endif
 #endif
 
 // The only place that knows how the host packs several elements into one register. A kernel sees
@@ -46,10 +52,27 @@ struct ScalarLane {
   PERCOLITH_DEVICE static Real gather(const double* from, const std::int32_t* slot) {
     return from[*slot];
   }
+  /// `from[code ^ flip]`, negative where `code` has the bit `sign`.
+  PERCOLITH_DEVICE static Real gather_signed(const double* from, const std::int32_t* code,
+                                             std::int32_t flip, std::int32_t sign) {
+    const double value = from[*code ^ flip];
+    return (*code & sign) != 0 ? -value : value;
+  }
+  /// `value(i)` for every element i of the lane, counted from its first.
+  template <class Value>
+  PERCOLITH_DEVICE static Real generate(const Value& value) {
+    return value(0);
+  }
 };
 
 PERCOLITH_DEVICE double select(bool condition, double yes, double no) {
   return condition ? yes : no;
+}
+PERCOLITH_DEVICE double square_root(double x) {
+  return std::sqrt(x);
+}
+PERCOLITH_DEVICE bool any(bool condition) {
+  return condition;
 }
 
 #if !defined(__CUDACC__)
@@ -64,9 +87,41 @@ struct VectorLane {
   static void store(double* to, Real value) {
     value.copy_to(to, std::experimental::element_aligned);
   }
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+  static Real gather(const double* from, const std::int32_t* slot) {
+    return Real(_mm512_i32gather_pd(eight(slot), from, sizeof(double)));
+  }
+  static Real gather_signed(const double* from, const std::int32_t* code, std::int32_t flip,
+                            std::int32_t sign) {
+    const __m256i codes = eight(code);
+    const __m512d value =
+        _mm512_i32gather_pd(_mm256_xor_si256(codes, _mm256_set1_epi32(flip)), from, sizeof(double));
+    const __mmask8 negative = _mm256_test_epi32_mask(codes, _mm256_set1_epi32(sign));
+    return Real(_mm512_mask_xor_pd(value, negative, value, _mm512_set1_pd(-0.0)));
+  }
+#else
   static Real gather(const double* from, const std::int32_t* slot) {
     return Real([&](auto element) { return from[slot[element]]; });
   }
+  static Real gather_signed(const double* from, const std::int32_t* code, std::int32_t flip,
+                            std::int32_t sign) {
+    return Real([&](auto element) {
+      const double value = from[code[element] ^ flip];
+      return (code[element] & sign) != 0 ? -value : value;
+    });
+  }
+#endif
+  template <class Value>
+  static Real generate(const Value& value) {
+    return Real([&](auto element) { return value(static_cast<std::int32_t>(element)); });
+  }
+
+#if defined(__AVX512F__)
+private:
+  static __m256i eight(const std::int32_t* from) {
+    return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
+  }
+#endif
 };
 
 inline VectorLane::Real select(VectorLane::Real::mask_type condition, VectorLane::Real yes,
@@ -74,6 +129,44 @@ inline VectorLane::Real select(VectorLane::Real::mask_type condition, VectorLane
   std::experimental::where(condition, no) = yes;
   return no;
 }
+inline VectorLane::Real square_root(VectorLane::Real x) {
+  return std::experimental::sqrt(x);
+}
+inline bool any(VectorLane::Real::mask_type condition) {
+  return std::experimental::any_of(condition);
+}
 #endif
+
+template <class Real>
+PERCOLITH_DEVICE Real larger(Real a, Real b) {
+  return select(a > b, a, b);
+}
+template <class Real>
+PERCOLITH_DEVICE Real smaller(Real a, Real b) {
+  return select(a < b, a, b);
+}
+template <class Real>
+PERCOLITH_DEVICE Real magnitude(Real a) {
+  return select(a < Real(0.0), -a, a);
+}
+
+/// Sums and a maximum that the elements of a loop add to, one place a lane of a block, so that
+/// their order does not depend on the width of a register.
+template <std::size_t Count>
+struct LaneSums {
+  std::array<std::array<double, block_width>, Count> sum{};
+  std::array<double, block_width> peak{};
+
+  template <class Lane>
+  PERCOLITH_DEVICE void add(std::size_t which, Lane lane, typename Lane::Real value) {
+    double* place = sum[which].data() + lane.first % block_width;
+    Lane::store(place, Lane::load(place) + value);
+  }
+  template <class Lane>
+  PERCOLITH_DEVICE void raise(Lane lane, typename Lane::Real value) {
+    double* place = peak.data() + lane.first % block_width;
+    Lane::store(place, larger(Lane::load(place), value));
+  }
+};
 
 }  // namespace percolith

@@ -25,15 +25,32 @@ DataArray whole(const char* name, const std::vector<std::int32_t>& values) {
   return {name, std::span<const std::int32_t>(values)};
 }
 
+// A quantity that the physics of the run does not have is an empty array, and is left out.
+void add_if_any(std::vector<DataArray>& arrays, const char* name,
+                const std::vector<double>& values) {
+  if (!values.empty()) {
+    arrays.push_back(real(name, values));
+  }
+}
+
 std::vector<DataArray> point_quantities(const std::vector<double>& pressure,
                                         const std::vector<double>& head,
                                         const std::vector<double>& saturation) {
-  std::vector<DataArray> arrays = {real(names::pressure, pressure)};
-  if (!head.empty()) {
-    arrays.push_back(real(names::head, head));
-  }
-  arrays.push_back(real(names::saturation, saturation));
+  std::vector<DataArray> arrays;
+  add_if_any(arrays, names::pressure, pressure);
+  add_if_any(arrays, names::head, head);
+  add_if_any(arrays, names::saturation, saturation);
   return arrays;
+}
+
+void add_fields(std::vector<DataArray>& arrays, const std::vector<simulation::FrameField>& fields) {
+  for (const simulation::FrameField& field : fields) {
+    std::visit(
+        [&](const auto& values) {
+          arrays.push_back({field.name, std::span(values)});
+        },
+        field.values);
+  }
 }
 
 }  // namespace
@@ -47,8 +64,12 @@ void write_matrix(const std::filesystem::path& path, double time,
   grid.points = matrix.points;
   grid.connectivity = connectivity;
   grid.point_data = point_quantities(matrix.pressure, matrix.head, matrix.saturation);
-  grid.cell_data = {{names::darcy_flux, std::span<const Point>(matrix.flux)},
-                    whole(names::region, matrix.region)};
+  add_fields(grid.point_data, matrix.point_fields);
+  if (!matrix.flux.empty()) {
+    grid.cell_data.push_back({names::darcy_flux, std::span<const Point>(matrix.flux)});
+  }
+  grid.cell_data.push_back(whole(names::region, matrix.region));
+  add_fields(grid.cell_data, matrix.cell_fields);
   write_vtu(path, grid);
 }
 
@@ -61,8 +82,10 @@ void write_cracks(const std::filesystem::path& path, double time,
   grid.points = cracks.points;
   grid.connectivity = connectivity;
   grid.point_data = point_quantities(cracks.pressure, cracks.head, cracks.saturation);
-  grid.cell_data = {real(names::aperture, cracks.aperture), real(names::crack_flux, cracks.flux),
-                    whole(names::fracture, cracks.group)};
+  add_if_any(grid.cell_data, names::aperture, cracks.aperture);
+  add_if_any(grid.cell_data, names::crack_flux, cracks.flux);
+  grid.cell_data.push_back(whole(names::fracture, cracks.group));
+  add_fields(grid.cell_data, cracks.cell_fields);
   write_vtu(path, grid);
 }
 

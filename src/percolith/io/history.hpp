@@ -7,13 +7,14 @@
 
 namespace percolith::io {
 
-/// Header line of `history.csv` for rows with the conditions of `row`; each condition adds a
-/// column `<option path>_m2_per_s`.
+/// Header line of `history.csv` for rows like `row`: time_s, step, step_size_s and the columns of
+/// flow, where each condition adds `<option path>_m2_per_s`; in a run of mechanics its names take
+/// the place of those of flow.
 [[nodiscard]] std::string history_header(const simulation::HistoryRow& row);
 
 /// `row` as a line of `history.csv`: time, step, extremes, volumes since time zero (m2: m3 per
-/// metre of thickness) and the current rate of each condition. Cells on cracks stay empty where
-/// `has_cracks` is false.
+/// metre of thickness) and the current rate of each condition, or the values of mechanics. Cells
+/// on the flow in cracks stay empty where `has_cracks` is false.
 [[nodiscard]] std::string history_line(const simulation::HistoryRow& row, bool has_cracks);
 
 }  // namespace percolith::io

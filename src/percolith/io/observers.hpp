@@ -33,6 +33,11 @@ public:
       observer->on_probes(time, samples);
     }
   }
+  void on_events(const std::vector<simulation::BreakEvent>& events) override {
+    for (Observer* observer : observers_) {
+      observer->on_events(events);
+    }
+  }
   void on_warning(const std::string& warning) override {
     for (Observer* observer : observers_) {
       observer->on_warning(warning);

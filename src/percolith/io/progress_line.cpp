@@ -46,6 +46,9 @@ std::string format_progress(const simulation::Progress& progress, double remaini
   if (remaining >= 0) {
     text += "  ETA " + format_duration(remaining);
   }
+  if (progress.broken_joints) {
+    text += fmt::format("  cracks {}", *progress.broken_joints);
+  }
   if (progress.step_size > 0) {
     text += fmt::format("  step size {:.3g} s", progress.step_size);
     if (progress.limited_by != nullptr && *progress.limited_by != '\0') {

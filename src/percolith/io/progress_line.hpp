@@ -13,8 +13,8 @@ namespace percolith::io {
 [[nodiscard]] std::string format_duration(double seconds);
 
 /// One line on where a run stands, what matters most first, since a narrow terminal cuts its end:
-/// step, time, share of the end time, wall time `remaining` in s (left out when negative), step
-/// size with what limits it, iterations of the last step.
+/// step, time, share of the end time, wall time `remaining` in s (left out when negative), broken
+/// joints in mechanics, step size with what limits it, iterations of the last step.
 [[nodiscard]] std::string format_progress(const simulation::Progress& progress, double remaining);
 
 /// How progress is shown: one line redrawn in place, or a new line now and then.

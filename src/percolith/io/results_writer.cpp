@@ -2,6 +2,7 @@
 #include "percolith/io/results_writer.hpp"
 
 #include "percolith/io/csv.hpp"
+#include "percolith/io/events.hpp"
 #include "percolith/io/field_files.hpp"
 #include "percolith/io/history.hpp"
 #include "percolith/io/probes.hpp"
@@ -45,6 +46,14 @@ void ResultsWriter::on_probes(double time, const std::vector<simulation::ProbeSa
     }
     file->second.append(probe_lines(time, sample));
   }
+}
+
+void ResultsWriter::on_events(const std::vector<simulation::BreakEvent>& events) {
+  if (!events_) {
+    events_.emplace(folder_ / "events.csv");
+    events_->append(events_header());
+  }
+  events_->append(event_lines(events));
 }
 
 }  // namespace percolith::io

@@ -43,6 +43,21 @@ Json extremes(const simulation::HistoryRow& last, bool has_cracks) {
   return values;
 }
 
+void add_flow(Json& json, const simulation::Summary& summary, bool has_cracks) {
+  json["mass_balance"] = mass_balance(summary.last.balance);
+  json["throughput_m2_per_s"] = summary.throughput;
+  json["rate_m2_per_s"] = summary.last.rate;
+  json["extremes"] = extremes(summary.last, has_cracks);
+}
+
+Json named(const std::vector<simulation::NamedValue>& values) {
+  Json object = Json::object();
+  for (const auto& [name, value] : values) {
+    object[name] = value;
+  }
+  return object;
+}
+
 }  // namespace
 
 std::string summary_json(const RunRecord& record, const simulation::Summary& summary,
@@ -62,10 +77,12 @@ std::string summary_json(const RunRecord& record, const simulation::Summary& sum
   json["rejected_steps"] = summary.rejected_steps;
   json["iterations"] = summary.iterations;
   json["wall_time_s"] = wall_time;
-  json["mass_balance"] = mass_balance(summary.last.balance);
-  json["throughput_m2_per_s"] = summary.throughput;
-  json["rate_m2_per_s"] = summary.last.rate;
-  json["extremes"] = extremes(summary.last, !record.fractures.empty());
+  if (summary.mechanics.empty()) {
+    add_flow(json, summary, !record.fractures.empty());
+  } else {
+    json["reached_rest"] = summary.reached_rest;
+    json["mechanics"] = named(summary.mechanics);
+  }
   json["state_hash"] = summary.state_hash;
   json["warnings"] = summary.warnings;
   json["regions"] = record.regions;

@@ -16,7 +16,8 @@ struct ElasticRock {
   double poisson_ratio = 0.0;  ///< nu; of layered rock: within the layers
   /// E_n, Pa: across the layers. With it the rock is transversely isotropic.
   std::optional<double> normal_young_modulus;
-  /// nu_n: strain across the layers from stress along them; absent: nu E_n/E.
+  /// nu_n: shortening along the layers over extension across, under stress across; absent:
+  /// nu E_n/E.
   std::optional<double> normal_poisson_ratio;
   /// G_n, Pa: shear between the layers; absent: Saint-Venant's
   /// 1/G_n = (1 + 2 nu_n)/E_n + 1/E.

@@ -9,7 +9,8 @@ namespace percolith::material {
 struct JointStrength {
   double tensile_strength = 0.0;  ///< f_t, Pa
   double cohesion = 0.0;          ///< c, Pa
-  double friction_angle = 0.0;    ///< phi, rad: of unbroken joints
+  /// phi, rad: of unbroken joints; absent in a fracture: that of the rock.
+  std::optional<double> friction_angle;
   /// rad: of broken joints and of contact; absent: friction_angle.
   std::optional<double> residual_friction_angle;
   double mode_1_energy = 0.0;  ///< G_I, J/m2

@@ -14,43 +14,11 @@ namespace {
 
 using mesh::Index;
 
-/// The material of every region; each region has exactly one.
+/// The rock of every region.
 std::vector<material::PoreRock> rock_of_regions(const Setup& setup, const mesh::Mesh& mesh) {
-  std::vector<material::PoreRock> rock(mesh.region_names.size());
-  std::vector<std::string> owner(mesh.region_names.size());
-  for (const auto& [name, material] : setup.material) {
-    for (std::size_t i = 0; i < material.regions.size(); ++i) {
-      const std::string& region = material.regions[i];
-      const std::string key = entry_key("material." + name + ".regions", i);
-      const auto found = std::find(mesh.region_names.begin(), mesh.region_names.end(), region);
-      if (found == mesh.region_names.end()) {
-        throw InputError({{},
-                          key,
-                          fmt::format("\"{}\"", region),
-                          "the mesh has no physical surface of this name",
-                          quoted_list(mesh.region_names)});
-      }
-      const auto r = static_cast<std::size_t>(found - mesh.region_names.begin());
-      if (!owner[r].empty()) {
-        throw InputError({{},
-                          key,
-                          fmt::format("\"{}\"", region),
-                          fmt::format("this region already has material.{}", owner[r]),
-                          "one material per region"});
-      }
-      owner[r] = name;
-      rock[r] = material.rock;
-    }
-  }
-  for (std::size_t r = 0; r < owner.size(); ++r) {
-    if (owner[r].empty()) {
-      throw InputError(
-          {{},
-           "material",
-           "",
-           fmt::format("region \"{}\" of the mesh has no material", mesh.region_names[r]),
-           "every physical surface named in the regions of one material"});
-    }
+  std::vector<material::PoreRock> rock;
+  for (const std::string& name : material_of_regions(setup, mesh)) {
+    rock.push_back(setup.material.at(name).rock);
   }
   return rock;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "percolith/mesh/triangle_finder.hpp"
 #include "percolith/seepage/model.hpp"
+#include "percolith/simulation/probe_places.hpp"
 #include "percolith/simulation/report.hpp"
 #include "percolith/simulation/setup.hpp"
 
@@ -23,33 +23,19 @@ namespace percolith::simulation {
 [[nodiscard]] MatrixFrame matrix_frame(const seepage::Model& model, double head_datum);
 [[nodiscard]] CrackFrame crack_frame(const seepage::Model& model, double head_datum);
 
-/// The points of all probes, found once in the mesh.
+/// Reads probes of a flow model at points found once in the mesh.
 class ProbeReader {
 public:
-  /// Throws InputError (key `probe.NAME...`) for a point outside of the rock, or in a crack where
-  /// there is none within half an edge. Points of a line in a crack that are farther away than
-  /// that, and points of a line outside of the rock, are left out with a warning; a line without
-  /// any point is refused.
+  /// Throws InputError as `locate_probes` does.
   ProbeReader(const std::map<std::string, Probe>& probes, const seepage::Model& model,
               double head_datum);
   [[nodiscard]] std::vector<ProbeSample> read(const seepage::Model& model) const;
-  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return places_.warnings; }
 
 private:
-  struct Target {
-    Point place;
-    mesh::PlaceInTriangle in_matrix;
-    mesh::PlaceOnJoint in_crack;
-  };
-  struct Located {
-    std::string name;
-    Domain in = Domain::matrix;
-    std::vector<Target> targets;
-  };
-  [[nodiscard]] ProbeRow matrix_row(const seepage::Model& model, const Target& target) const;
-  [[nodiscard]] ProbeRow crack_row(const seepage::Model& model, const Target& target) const;
-  std::vector<Located> probes_;
-  std::vector<std::string> warnings_;
+  [[nodiscard]] ProbeRow matrix_row(const seepage::Model& model, const ProbeTarget& target) const;
+  [[nodiscard]] ProbeRow crack_row(const seepage::Model& model, const ProbeTarget& target) const;
+  ProbePlaces places_;
   double head_datum_;
 };
 

@@ -122,4 +122,46 @@ std::vector<Index> boundary_edges(const mesh::Mesh& mesh, const std::vector<std:
   return edges;
 }
 
+std::vector<Index> find_regions(const mesh::Mesh& mesh, const std::vector<std::string>& names,
+                                const std::string& key) {
+  std::vector<Index> regions;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto found = std::find(mesh.region_names.begin(), mesh.region_names.end(), names[i]);
+    if (found == mesh.region_names.end()) {
+      refuse(entry_key(key, i), names[i], "the mesh has no physical surface of this name",
+             quoted_list(mesh.region_names));
+    }
+    regions.push_back(static_cast<Index>(found - mesh.region_names.begin()));
+  }
+  return regions;
+}
+
+std::vector<std::string> material_of_regions(const Setup& setup, const mesh::Mesh& mesh) {
+  std::vector<std::string> owner(mesh.region_names.size());
+  for (const auto& [name, material] : setup.material) {
+    const std::string key = "material." + name + ".regions";
+    const std::vector<Index> regions = find_regions(mesh, material.regions, key);
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+      std::string& present = owner[static_cast<std::size_t>(regions[i])];
+      if (!present.empty()) {
+        refuse(entry_key(key, i), material.regions[i],
+               fmt::format("this region already has material.{}", present),
+               "one material per region");
+      }
+      present = name;
+    }
+  }
+  for (std::size_t r = 0; r < owner.size(); ++r) {
+    if (owner[r].empty()) {
+      throw InputError(
+          {{},
+           "material",
+           "",
+           fmt::format("region \"{}\" of the mesh has no material", mesh.region_names[r]),
+           "every physical surface named in the regions of one material"});
+    }
+  }
+  return owner;
+}
+
 }  // namespace percolith::simulation

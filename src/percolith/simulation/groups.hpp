@@ -2,6 +2,7 @@
 #pragma once
 
 #include "percolith/mesh/mesh.hpp"
+#include "percolith/simulation/setup.hpp"
 
 #include <string>
 #include <vector>
@@ -24,6 +25,16 @@ namespace percolith::simulation {
 [[nodiscard]] std::vector<mesh::Index> boundary_edges(const mesh::Mesh& mesh,
                                                       const std::vector<std::string>& groups,
                                                       const std::string& key);
+
+/// Numbers of the regions a case names under option `key`, in the order of the names. Throws
+/// InputError for a name the mesh does not have.
+[[nodiscard]] std::vector<mesh::Index>
+find_regions(const mesh::Mesh& mesh, const std::vector<std::string>& names, const std::string& key);
+
+/// Per region of the mesh the name of its material table. Throws InputError for unknown regions and
+/// for regions with two materials or none.
+[[nodiscard]] std::vector<std::string> material_of_regions(const Setup& setup,
+                                                           const mesh::Mesh& mesh);
 
 /// Names in quotes, separated by commas; "none" for an empty list.
 [[nodiscard]] std::string quoted_list(const std::vector<std::string>& names);

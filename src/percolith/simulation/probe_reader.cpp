@@ -1,28 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "percolith/core/error.hpp"
 #include "percolith/seepage/pore.hpp"
 #include "percolith/simulation/frames.hpp"
-
-#include <fmt/format.h>
 
 namespace percolith::simulation {
 namespace {
 
 using mesh::Index;
-
-std::vector<Point> points_of(const Probe& probe) {
-  if (probe.point) {
-    return {{(*probe.point)[0], (*probe.point)[1]}};
-  }
-  const auto from = probe.from.value_or(std::array<double, 2>{});
-  const auto to = probe.to.value_or(std::array<double, 2>{});
-  std::vector<Point> points;
-  for (int i = 0; i < probe.points; ++i) {
-    const double f = probe.points > 1 ? static_cast<double>(i) / (probe.points - 1) : 0.0;
-    points.push_back({from[0] + f * (to[0] - from[0]), from[1] + f * (to[1] - from[1])});
-  }
-  return points;
-}
 
 double between(const std::vector<double>& field, const std::array<Index, 2>& ends,
                double fraction) {
@@ -33,46 +16,10 @@ double between(const std::vector<double>& field, const std::array<Index, 2>& end
 
 ProbeReader::ProbeReader(const std::map<std::string, Probe>& probes, const seepage::Model& model,
                          double head_datum)
-    : head_datum_(head_datum) {
-  if (probes.empty()) {
-    return;
-  }
-  const mesh::TriangleFinder finder(model.mesh);
-  for (const auto& [name, probe] : probes) {
-    Located located{name, probe.in, {}};
-    const std::vector<Point> points = points_of(probe);
-    for (const Point& p : points) {
-      if (probe.in == Domain::crack) {
-        const auto place = nearest_joint(model.mesh, model.cracks.broken_joints(), p);
-        if (place && place->distance <= 0.5 * model.mesh.joint_length(place->joint)) {
-          located.targets.push_back({p, {}, *place});
-        }
-      } else if (const auto place = finder.find(p)) {
-        located.targets.push_back({p, *place, {}});
-      }
-    }
-    if (located.targets.empty()) {
-      const bool line = !probe.point;
-      throw InputError({{},
-                        fmt::format("probe.{}.{}", name, line ? "from" : "point"),
-                        "",
-                        probe.in == Domain::crack ? "no open crack is near"
-                        : line                    ? "the line lies outside of the rock"
-                                                  : "the point lies outside of the rock",
-                        probe.in == Domain::crack ? "places on a fracture, within half an edge"
-                                                  : "places inside the mesh"});
-    }
-    if (located.targets.size() < points.size()) {
-      warnings_.push_back(fmt::format("probe.{}: {} of {} points lie {} and are left out", name,
-                                      points.size() - located.targets.size(), points.size(),
-                                      probe.in == Domain::crack ? "too far from any open crack"
-                                                                : "outside of the rock"));
-    }
-    probes_.push_back(std::move(located));
-  }
-}
+    : places_(locate_probes(probes, model.mesh, model.cracks.broken_joints())),
+      head_datum_(head_datum) {}
 
-ProbeRow ProbeReader::matrix_row(const seepage::Model& model, const Target& target) const {
+ProbeRow ProbeReader::matrix_row(const seepage::Model& model, const ProbeTarget& target) const {
   const auto& [triangle, weight] = target.in_matrix;
   double pressure = 0.0;
   double saturation = 0.0;
@@ -92,7 +39,7 @@ ProbeRow ProbeReader::matrix_row(const seepage::Model& model, const Target& targ
   return row;
 }
 
-ProbeRow ProbeReader::crack_row(const seepage::Model& model, const Target& target) const {
+ProbeRow ProbeReader::crack_row(const seepage::Model& model, const ProbeTarget& target) const {
   const auto& [joint, fraction, distance] = target.in_crack;
   const auto& ends = model.mesh.joint[at(joint)].vertex;
   const double pressure = between(model.state.crack_pressure, ends, fraction);
@@ -112,7 +59,7 @@ ProbeRow ProbeReader::crack_row(const seepage::Model& model, const Target& targe
 
 std::vector<ProbeSample> ProbeReader::read(const seepage::Model& model) const {
   std::vector<ProbeSample> samples;
-  for (const Located& probe : probes_) {
+  for (const LocatedProbe& probe : places_.probes) {
     const bool crack = probe.in == Domain::crack;
     ProbeSample sample{probe.name, {"pressure_Pa"}, {}};
     if (model.gravity > 0.0) {
@@ -123,7 +70,7 @@ std::vector<ProbeSample> ProbeReader::read(const seepage::Model& model) const {
                                          "flux_y_m2_per_s"}
               : std::vector<std::string>{"saturation", "flux_x_m_per_s", "flux_y_m_per_s"};
     sample.columns.insert(sample.columns.end(), more.begin(), more.end());
-    for (const Target& target : probe.targets) {
+    for (const ProbeTarget& target : probe.targets) {
       sample.rows.push_back(crack ? crack_row(model, target) : matrix_row(model, target));
     }
     samples.push_back(std::move(sample));

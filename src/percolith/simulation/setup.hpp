@@ -55,11 +55,11 @@ struct Model {
 struct Material {
   std::vector<std::string> regions;  ///< physical surfaces
   material::PoreRock rock;
-  material::ElasticRock solid;
-  material::JointStrength strength;
+  material::ElasticRock solid{};
+  material::JointStrength strength{};
   RockJoints joints = RockJoints::breakable;
   /// Weibull modulus m of the strengths from joint to joint; absent: all alike.
-  std::optional<double> weibull_modulus;
+  std::optional<double> weibull_modulus{};
   int weibull_seed = 1;
   friend bool operator==(const Material&, const Material&) = default;
 };
@@ -68,7 +68,7 @@ struct FractureGroup {
   std::vector<std::string> groups;  ///< physical curves
   material::Fracture fracture;
   Bond bond = Bond::broken;
-  material::JointStrength strength;  ///< mechanics
+  material::JointStrength strength{};  ///< mechanics
   friend bool operator==(const FractureGroup&, const FractureGroup&) = default;
 };
 

@@ -10,6 +10,8 @@
 
 namespace percolith::simulation {
 
+class Task;
+
 /// A model that is ready to run: mesh, properties, conditions and state.
 class Simulation {
 public:
@@ -34,8 +36,7 @@ public:
   [[nodiscard]] const std::vector<std::string>& fracture_names() const;
 
 private:
-  struct Model;
-  std::unique_ptr<Model> model_;
+  std::unique_ptr<Task> task_;
 };
 
 }  // namespace percolith::simulation

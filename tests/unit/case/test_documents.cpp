@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/case/applies.hpp"
 #include "percolith/case/documents.hpp"
 #include "percolith/case/node.hpp"
+#include "percolith/case/option_list.hpp"
 #include "percolith/case/path.hpp"
-#include "percolith/case/unknown_key.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -12,7 +13,9 @@
 #include <iterator>
 #include <limits>
 
+#include "unit/case/mechanics_case.hpp"
 #include "unit/case/minimal_case.hpp"
+#include "unit/case/random_mechanics.hpp"
 #include "unit/case/random_setup.hpp"
 
 namespace percolith::case_file {
@@ -22,7 +25,8 @@ using testing::HasSubstr;
 
 TEST(Resolved, ReadAgainGivesTheSameSetupBitForBit) {
   const bool holds = rc::check("resolved input read again is the same setup", [] {
-    const simulation::Setup setup = RandomSetup().make();
+    const simulation::Setup setup =
+        *rc::gen::arbitrary<bool>() ? RandomSetup().make() : RandomMechanics().make();
     const std::string text = resolved_toml(setup);
     simulation::Setup again;
     try {
@@ -50,13 +54,38 @@ TEST(Resolved, NumbersKeepAllTheirBits) {
 
 TEST(Resolved, NamesEveryOption) {
   const std::string text = resolved_toml(read(minimal_case).setup);
+  const std::string mechanics =
+      resolved_toml(read(mechanics_case + "[in_situ]\ngradient_yy = 1\n"
+                                          "[body.a]\nregions = [\"rock\"]\nrigid = true\n"
+                                          "[point_force.a]\npoint = [0, 0]\nforce_x = 1\n"
+                                          "[excavation.a]\nregions = [\"rock\"]\n")
+                        .setup);
   for (const std::string& option : option_paths()) {
     const Path path = split_path(option);
     const bool has_table = path[0] != "fracture" && path[0] != "source" && path[0] != "probe";
     if (has_table) {
-      EXPECT_THAT(text, testing::ContainsRegex("(^|\n)(# )?" + path.back() + " ")) << option;
+      const bool has_mechanics =
+          physics_of(path[0]) == "mechanics" || physics_of(path[0] + ".*") == "mechanics";
+      EXPECT_THAT(has_mechanics ? mechanics : text,
+                  testing::ContainsRegex("(^|\n)(# )?" + path.back() + " "))
+          << option;
     }
   }
+}
+
+TEST(Resolved, TellsWhichTablesHaveNoEffectOrAreAbsent) {
+  const std::string seepage = resolved_toml(read(minimal_case).setup);
+  for (const std::string table : {"in_situ", "damping", "contact"}) {
+    EXPECT_THAT(seepage, HasSubstr("\n# [" + table +
+                                   "] has no effect: it needs model.physics = \"mechanics\"\n"));
+  }
+  const std::string mechanics = resolved_toml(read(mechanics_case).setup);
+  for (const std::string table : {"fluid", "initial"}) {
+    EXPECT_THAT(mechanics, HasSubstr("\n# [" + table +
+                                     "] has no effect: it needs model.physics = \"seepage\"\n"));
+  }
+  EXPECT_THAT(mechanics, HasSubstr("\n# [in_situ] is not given\n"));
+  EXPECT_THAT(mechanics, HasSubstr("\nscheme = \"explicit\"\n"));
 }
 
 TEST(Resolved, TellsUnitsAndWhyOptionsAreAbsent) {
@@ -111,7 +140,7 @@ TEST(Schema, HoldsUnitsBoundsDefaultsAndNeed) {
   EXPECT_EQ(fluid["viscosity"]["anyOf"][0]["exclusiveMinimum"], 0.0);
   EXPECT_EQ(fluid["cavitation_pressure"]["anyOf"][2]["const"], "-inf");
   const nlohmann::json& rock = schema["properties"]["material"]["additionalProperties"];
-  EXPECT_EQ(rock["required"], (std::vector<std::string>{"regions", "permeability", "porosity"}));
+  EXPECT_EQ(rock["required"], (std::vector<std::string>{"regions"}));
   EXPECT_EQ(rock["properties"]["porosity"]["anyOf"][0]["maximum"], 1.0);
   EXPECT_EQ(schema["required"], (std::vector<std::string>{"format", "mesh", "model"}));
   EXPECT_EQ(schema["properties"]["time"]["properties"]["scheme"]["enum"],
@@ -123,6 +152,17 @@ TEST(Reference, IsTheCommittedPage) {
   const std::string page{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   EXPECT_EQ(page, reference_markdown())
       << "write it again: percolith schema --reference > docs/options.md";
+}
+
+TEST(Reference, TellsWhichPhysicsAnOptionBelongsTo) {
+  const std::string page = reference_markdown();
+  EXPECT_THAT(page, HasSubstr("Volume of pores over volume of rock. *In seepage only.* |\n"));
+  EXPECT_THAT(page, HasSubstr("Whether the boundary stays where it is. *In mechanics only.* |\n"));
+  EXPECT_THAT(page, HasSubstr("\n## `[damping]`\n\nWhat takes energy out of the motion. *In "
+                              "mechanics only.*\n"));
+  EXPECT_THAT(page, HasSubstr("| **required** | Acceleration of gravity along -y: 9.81 for a "
+                              "vertical section, 0 for a horizontal plan. |\n"));
+  EXPECT_EQ(physics_of("material.*.regions"), "");
 }
 
 TEST(Reference, HasARowForEveryOption) {

@@ -9,10 +9,23 @@
 namespace percolith::case_file {
 namespace {
 
-/// The blocks of that language in the guide to case files.
-std::vector<std::string> blocks_of(const std::string& language) {
+/// The guide to case files in two parts: its section on mechanics, and the rest.
+struct Guide {
+  std::string mechanics;
+  std::string rest;
+};
+
+Guide guide() {
   std::ifstream stream("docs/case-file.md", std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  const std::size_t begin = text.find("\n## Mechanics\n");
+  const std::size_t end = text.find("\n## ", begin + 1);
+  return {text.substr(begin, end - begin), text.substr(0, begin) + text.substr(end)};
+}
+
+/// The blocks of that language in a text.
+std::vector<std::string> blocks_of(const std::string& language,
+                                   const std::string& text = guide().rest) {
   const std::string opening = "```" + language + "\n";
   std::vector<std::string> blocks;
   for (std::size_t at = text.find(opening); at != std::string::npos; at = text.find(opening, at)) {
@@ -48,6 +61,19 @@ TEST(Guide, ItsOtherExamplesMakeAValidCaseTogether) {
   }
   const simulation::Setup setup = read_case_text(text, folder.path() / "case.toml").setup;
   EXPECT_EQ(setup.source.at("test").rate->time, (std::vector<double>{0.0, 300.0}));
+  EXPECT_EQ(read(resolved_toml(setup)).setup, setup);
+}
+
+TEST(Guide, ItsExamplesOfMechanicsMakeAValidCaseTogether) {
+  std::string text;
+  for (const std::string& block : blocks_of("toml", guide().mechanics)) {
+    text += block;
+  }
+  const simulation::Setup setup = read(text).setup;
+  EXPECT_EQ(setup.model.physics, simulation::Physics::mechanics);
+  EXPECT_TRUE(setup.body.at("plate").rigid);
+  EXPECT_EQ(setup.in_situ->gradient_yy, 26e3);
+  EXPECT_EQ(setup.time.end, 0.05);
   EXPECT_EQ(read(resolved_toml(setup)).setup, setup);
 }
 

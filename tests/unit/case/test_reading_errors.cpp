@@ -15,7 +15,7 @@ TEST(ReadingErrors, UnknownOptionNamesTheNearest) {
   EXPECT_EQ(error_with("ende = 3\n"),
             "case.toml:20:1: error: time.ende: unknown option; the nearest valid name is \"end\"; "
             "allowed: \"scheme\", \"end\", \"step\", \"initial_step\", \"maximum_step\", "
-            "\"tolerance\", \"safety\"");
+            "\"tolerance\", \"safety\", \"stop_ratio\", \"mass_scaling_step\"");
   EXPECT_THAT(error_with("[boundry.right]\ngroups = [\"r\"]\n"),
               StartsWith("case.toml:20:2: error: boundry: unknown option; the nearest valid name "
                          "is \"boundary\"; allowed: \"format\", "));
@@ -72,10 +72,14 @@ TEST(ReadingErrors, NoSuchChoice) {
             "\"explicit\", \"steady\"");
 }
 
-TEST(ReadingErrors, AnOptionOfMechanicsIsUnknown) {
+TEST(ReadingErrors, AnOptionOfCouplingIsUnknown) {
   EXPECT_EQ(error_set({"material.rock.biot_coefficient=0.8"}),
             "--set: error: material.rock.biot_coefficient: unknown option; allowed: \"regions\", "
-            "\"permeability\", \"porosity\", \"biot_modulus\"");
+            "\"permeability\", \"porosity\", \"biot_modulus\", \"density\", \"young_modulus\", "
+            "\"poisson_ratio\", \"normal_young_modulus\", \"normal_poisson_ratio\", "
+            "\"normal_shear_modulus\", \"bedding_angle\", \"joints\", \"tensile_strength\", "
+            "\"cohesion\", \"friction_angle\", \"residual_friction_angle\", \"mode_1_energy\", "
+            "\"mode_2_energy\", \"joint_penalty\", \"weibull_modulus\", \"weibull_seed\"");
 }
 
 TEST(ReadingErrors, WholeNumbers) {

@@ -67,10 +67,48 @@ TEST(CheckText, TellsWhatTheSchemeMakesOfTheLimits) {
   EXPECT_TRUE(has(check_text(report(), stepping), "scheme steady: takes no time step"));
 }
 
+simulation::CheckReport mechanics_report() {
+  simulation::CheckReport mechanics = report();
+  mechanics.mechanics = {{"cohesive_length_over_element_size", 4.5},
+                         {"apparent_modulus_Pa", 29.123456e9}};
+  mechanics.limits = {{"joints", 2e-8, {0.5, 0.5}},
+                      {"triangles", 3e-8, {0.1, 0.2}},
+                      {"all together", 1e-8, {0.5, 0.5}}};
+  return mechanics;
+}
+
+TEST(CheckText, ShowsTheNumbersOfMechanicsInPlaceOfTheNodesOfFlow) {
+  const std::string text = check_text(mechanics_report(), {});
+  EXPECT_TRUE(has(text, "Mechanics\n"
+                        "  cohesive_length_over_element_size         4.5\n"
+                        "  apparent_modulus_Pa                2.9123e+10\n"
+                        "Limits of the explicit time step\n"))
+      << text;
+  EXPECT_FALSE(has(text, "Flow")) << text;
+  EXPECT_FALSE(has(text, "pore nodes")) << text;
+  EXPECT_FALSE(has(check_text(report(), {}), "Mechanics"));
+}
+
+TEST(CheckText, TakesMechanicsAsExplicitWhateverTheScheme) {
+  simulation::Stepping stepping;
+  stepping.end = 1;
+  stepping.safety = 0.5;
+  const std::string text = check_text(mechanics_report(), stepping);
+  EXPECT_TRUE(has(text, "joints               2e-08 s at (0.5, 0.5) m  <- rules\n")) << text;
+  EXPECT_TRUE(has(text, "scheme explicit, safety 0.5: step 5e-09 s, about 2e+08 steps to the end"))
+      << text;
+  EXPECT_FALSE(has(text, "implicit")) << text;
+  stepping.step = 1e-9;
+  EXPECT_TRUE(has(check_text(mechanics_report(), stepping),
+                  "scheme explicit, safety 0.5: step 1e-09 s, about 1e+09 steps to the end"));
+}
+
 TEST(CheckText, ToleratesAModelWithoutLimits) {
   simulation::CheckReport bare = report();
   bare.limits.clear();
   EXPECT_TRUE(has(check_text(bare, {}), "none: nothing flows"));
+  bare.mechanics = {{"bodies", 1}};
+  EXPECT_TRUE(has(check_text(bare, {}), "none: nothing moves"));
 }
 
 }  // namespace

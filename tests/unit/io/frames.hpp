@@ -30,4 +30,29 @@ inline simulation::Frame cracked_square(double time) {
   return frame;
 }
 
+/// The same square in a run of mechanics: it has fields of its own and none of flow, and the crack
+/// belongs to no fracture group.
+inline simulation::Frame broken_square(double time) {
+  simulation::Frame frame = cracked_square(time);
+  simulation::MatrixFrame& matrix = frame.matrix;
+  matrix.pressure.clear();
+  matrix.head.clear();
+  matrix.saturation.clear();
+  matrix.flux.clear();
+  matrix.point_fields = {{"displacement_m", std::vector<Point>(6, {1e-3, -2e-3})}};
+  matrix.cell_fields = {{"damage", std::vector<double>{0.25, 1.0 / 3}},
+                        {"fragment", std::vector<std::int32_t>{0, 1}},
+                        {"principal_direction", std::vector<Point>{{1, 0}, {0.6, 0.8}}}};
+  simulation::CrackFrame& cracks = frame.cracks;
+  cracks.group = {-1};
+  cracks.pressure.clear();
+  cracks.head.clear();
+  cracks.saturation.clear();
+  cracks.aperture.clear();
+  cracks.flux.clear();
+  cracks.cell_fields = {{"opening_m", std::vector<double>{2e-5}},
+                        {"mode", std::vector<std::int32_t>{-1}}};
+  return frame;
+}
+
 }  // namespace percolith::test

@@ -35,6 +35,15 @@ TEST(FormatProgress, NamesStepTimeSizeLimitAndRest) {
                                                "s  step size 0.5 s (tolerance)  iterations 3");
 }
 
+TEST(FormatProgress, CountsBrokenJointsInMechanics) {
+  simulation::Progress mechanics = at(25.6, 12);
+  mechanics.iterations = 0;
+  mechanics.limited_by = "joints";
+  mechanics.broken_joints = 123;
+  EXPECT_EQ(format_progress(mechanics, -1),
+            "step 12  time 25.6 s of 100 s (25 %)  cracks 123  step size 0.5 s (joints)");
+}
+
 TEST(FormatProgress, LeavesOutWhatIsNotKnown) {
   simulation::Progress steady;
   steady.step = 1;
@@ -111,6 +120,7 @@ struct Counter : simulation::Observer {
   void on_history(const simulation::HistoryRow&) override { ++calls; }
   void on_frame(const simulation::Frame&) override { ++calls; }
   void on_probes(double, const std::vector<simulation::ProbeSample>&) override { ++calls; }
+  void on_events(const std::vector<simulation::BreakEvent>&) override { ++calls; }
   void on_warning(const std::string&) override { ++calls; }
 };
 
@@ -122,9 +132,10 @@ TEST(Observers, PassEveryReportToAll) {
   both.on_history({});
   both.on_frame({});
   both.on_probes(0, {});
+  both.on_events({});
   both.on_warning("");
-  EXPECT_EQ(first.calls, 5);
-  EXPECT_EQ(second.calls, 5);
+  EXPECT_EQ(first.calls, 6);
+  EXPECT_EQ(second.calls, 6);
 }
 
 }  // namespace

@@ -55,6 +55,37 @@ TEST(ResultsWriter, StartsTheCrackSeriesWithTheFirstCrack) {
   EXPECT_NE(test::read_text(folder / "cracks.pvd").find("cracks_000001.vtu"), std::string::npos);
 }
 
+TEST(ResultsWriter, AppendsEventsAsTheyCome) {
+  const test::TemporaryFolder folder;
+  ResultsWriter writer(folder.path(), false);
+  EXPECT_FALSE(exists(folder / "events.csv"));
+  writer.on_events({});
+  const std::string header = "time_s,step,x_m,y_m,mode,length_m,released_energy_J_per_m,"
+                             "magnitude,material\n";
+  EXPECT_EQ(test::read_text(folder / "events.csv"), header);
+  simulation::BreakEvent event;
+  event.time = 0.5;
+  event.material = "rock";
+  writer.on_events({event});
+  event.time = 0.75;
+  writer.on_events({event});
+  EXPECT_EQ(test::read_text(folder / "events.csv"),
+            header + "0.5,0,0,0,tensile,0,0,0,rock\n0.75,0,0,0,tensile,0,0,0,rock\n");
+}
+
+TEST(ResultsWriter, LeavesWholeLinesOfEventsWhereTheDiskFillsUp) {
+  const test::TemporaryFolder folder;
+  ResultsWriter writer(folder.path(), false);
+  writer.on_events({simulation::BreakEvent{}});
+  const std::string before = test::read_text(folder / "events.csv");
+  {
+    const test::FileSizeLimit limit(200);
+    const std::vector<simulation::BreakEvent> many(20);
+    EXPECT_THROW(writer.on_events(many), FileError);
+  }
+  EXPECT_EQ(test::read_text(folder / "events.csv"), before);
+}
+
 TEST(ResultsWriter, KeepsProbesWithOddNamesInTheirFolder) {
   const test::TemporaryFolder folder;
   ResultsWriter writer(folder.path(), false);

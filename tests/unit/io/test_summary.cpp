@@ -90,6 +90,24 @@ TEST(Summary, TellsWhyARunEndedEarly) {
   EXPECT_EQ(nlohmann::json::parse(summary_json(failed, broken, {}))["outcome"], "interrupted");
 }
 
+TEST(Summary, OfMechanicsHasItsNamedResultsAndNoneOfFlow) {
+  simulation::Summary mechanics = summary();
+  mechanics.reached_rest = true;
+  mechanics.mechanics = {{"energy_error", 1e-4},
+                         {"b_value", std::numeric_limits<double>::quiet_NaN()}};
+  const auto json = nlohmann::json::parse(summary_json(record(), mechanics, {}));
+  EXPECT_EQ(json["mechanics"]["energy_error"], 1e-4);
+  EXPECT_TRUE(json["mechanics"]["b_value"].is_null());
+  EXPECT_EQ(json["reached_rest"], true);
+  EXPECT_EQ(json["state_hash"], "abc");
+  for (const char* key : {"mass_balance", "throughput_m2_per_s", "rate_m2_per_s", "extremes"}) {
+    EXPECT_FALSE(json.contains(key)) << key;
+  }
+  const auto flow = nlohmann::json::parse(summary_json(record(), summary(), {}));
+  EXPECT_FALSE(flow.contains("mechanics"));
+  EXPECT_FALSE(flow.contains("reached_rest"));
+}
+
 TEST(Summary, NamesTheProcessor) {
   EXPECT_FALSE(processor_name().empty());
 }

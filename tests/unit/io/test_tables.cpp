@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/io/csv.hpp"
+#include "percolith/io/events.hpp"
 #include "percolith/io/history.hpp"
 #include "percolith/io/probes.hpp"
 
@@ -60,6 +61,42 @@ TEST(History, WritesOneLineARow) {
             "2.5,4,0.5,-1,100000,10,20,0.5,3,1,1.5,9,0.5,0.125,0.25,-0.75\n");
   EXPECT_EQ(history_line(row(), false),
             "2.5,4,0.5,-1,100000,,,0.5,3,1,1.5,9,0.5,0.125,0.25,-0.75\n");
+}
+
+TEST(History, OfMechanicsHasItsOwnColumnsOnly) {
+  simulation::HistoryRow mechanics;
+  mechanics.time = 2.5;
+  mechanics.step = 4;
+  mechanics.step_size = 0.5;
+  mechanics.mechanics = {{"kinetic_J_per_m", 0.25}, {"boundary.a,b.reaction_x_N_per_m", -3}};
+  EXPECT_EQ(history_header(mechanics),
+            "time_s,step,step_size_s,kinetic_J_per_m,\"boundary.a,b.reaction_x_N_per_m\"\n");
+  EXPECT_EQ(history_line(mechanics, true), "2.5,4,0.5,0.25,-3\n");
+}
+
+simulation::BreakEvent event(simulation::BreakMode mode) {
+  return {.time = 1e-3,
+          .step = 40,
+          .place = {0.25, -0.5},
+          .mode = mode,
+          .length = 0.125,
+          .released_energy = 2.5,
+          .magnitude = -2.75,
+          .material = "granite, grey"};
+}
+
+TEST(Events, NameEveryColumnWithItsUnit) {
+  EXPECT_EQ(events_header(), "time_s,step,x_m,y_m,mode,length_m,released_energy_J_per_m,"
+                             "magnitude,material\n");
+}
+
+TEST(Events, WriteOneLineABrokenJoint) {
+  using simulation::BreakMode;
+  EXPECT_EQ(event_lines({}), "");
+  EXPECT_EQ(event_lines({event(BreakMode::tensile), event(BreakMode::shear)}),
+            "0.001,40,0.25,-0.5,tensile,0.125,2.5,-2.75,\"granite, grey\"\n"
+            "0.001,40,0.25,-0.5,shear,0.125,2.5,-2.75,\"granite, grey\"\n");
+  EXPECT_NE(event_lines({event(BreakMode::mixed)}).find(",mixed,"), std::string::npos);
 }
 
 TEST(Probes, WriteOneLineAPoint) {

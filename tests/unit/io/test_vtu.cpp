@@ -67,12 +67,58 @@ TEST(CrackFile, HoldsLinesWithTheirQuantities) {
   EXPECT_EQ(file.array<std::int32_t>("Int32", "fracture"), Integers{3});
 }
 
+TEST(MatrixFile, HoldsTheFieldsOfMechanicsAndNoneOfFlow) {
+  const test::TemporaryFolder folder;
+  const simulation::Frame frame = test::broken_square(1);
+  io::write_matrix(folder / "m.vtu", frame.time, frame.matrix);
+  const test::VtuDecoder file(test::read_text(folder / "m.vtu"));
+  EXPECT_TRUE(file.has("PointData", "displacement_m"));
+  EXPECT_EQ(file.array<double>("Float64", "displacement_m"),
+            (Reals{1e-3, -2e-3, 0, 1e-3, -2e-3, 0, 1e-3, -2e-3, 0, 1e-3, -2e-3, 0, 1e-3, -2e-3, 0,
+                   1e-3, -2e-3, 0}));
+  EXPECT_TRUE(file.has("CellData", "damage"));
+  EXPECT_EQ(file.array<double>("Float64", "damage"), (Reals{0.25, 1.0 / 3}));
+  EXPECT_EQ(file.array<std::int32_t>("Int32", "fragment"), (Integers{0, 1}));
+  EXPECT_EQ(file.array<double>("Float64", "principal_direction"), (Reals{1, 0, 0, 0.6, 0.8, 0}));
+  EXPECT_EQ(file.array<std::int32_t>("Int32", "region"), (Integers{0, 1}));
+  for (const char* name : {"pressure_Pa", "head_m", "saturation"}) {
+    EXPECT_FALSE(file.has("PointData", name)) << name;
+  }
+  EXPECT_FALSE(file.has("CellData", "darcy_flux_m_per_s"));
+}
+
+TEST(MatrixFile, RefusesAFieldOfWrongLength) {
+  const test::TemporaryFolder folder;
+  simulation::Frame frame = test::broken_square(1);
+  frame.matrix.cell_fields = {{"damage", std::vector<double>(6)}};
+  try {
+    io::write_matrix(folder / "m.vtu", frame.time, frame.matrix);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "array damage holds 6 values where 2 belong");
+  }
+}
+
+TEST(CrackFile, HoldsTheFieldsOfMechanicsAndNoneOfFlow) {
+  const test::TemporaryFolder folder;
+  const simulation::Frame frame = test::broken_square(1);
+  io::write_cracks(folder / "c.vtu", frame.time, frame.cracks);
+  const test::VtuDecoder file(test::read_text(folder / "c.vtu"));
+  EXPECT_EQ(file.array<double>("Float64", "opening_m"), Reals{2e-5});
+  EXPECT_EQ(file.array<std::int32_t>("Int32", "mode"), Integers{-1});
+  EXPECT_EQ(file.array<std::int32_t>("Int32", "fracture"), Integers{-1});
+  EXPECT_FALSE(file.has("PointData", "pressure_Pa"));
+  EXPECT_FALSE(file.has("PointData", "saturation"));
+  EXPECT_FALSE(file.has("CellData", "aperture_m"));
+  EXPECT_FALSE(file.has("CellData", "flux_m2_per_s"));
+}
+
 TEST(CrackFile, MayBeEmpty) {
   const test::TemporaryFolder folder;
   io::write_cracks(folder / "c.vtu", 0.0, {});
   const test::VtuDecoder file(test::read_text(folder / "c.vtu"));
   EXPECT_EQ(file.attribute("<Piece", "NumberOfCells"), "0");
-  EXPECT_TRUE(file.array<double>("Float64", "aperture_m").empty());
+  EXPECT_TRUE(file.array<std::int32_t>("Int32", "fracture").empty());
 }
 
 // A line mesh with `count` points whose pressures need several blocks.

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws the joints that broke: when, where, how, and how many of which magnitude."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import LineCollection
+
+from percolith.b_value import b_value
+from percolith.colours import BLACK, BLUE, GREEN, RED
+from percolith.run_directory import RunDirectory, Table
+from percolith.units import power_scale, time_scale
+
+_MODES = {"tensile": (BLUE, "o"), "shear": (RED, "^"), "mixed": (GREEN, "s")}
+_MINUS = "\N{MINUS SIGN}"
+
+
+def _sizes(magnitude: np.ndarray) -> np.ndarray:
+    """Areas of the markers, from the smallest magnitude to the largest."""
+    finite = magnitude[np.isfinite(magnitude)]
+    if not len(finite) or np.ptp(finite) == 0.0:
+        return np.full(len(magnitude), 24.0)
+    share = (np.clip(magnitude, finite.min(), finite.max()) - finite.min()) / np.ptp(finite)
+    return 12.0 + 68.0 * share**2
+
+
+def _scatter(axes, events: Table, x: np.ndarray, y: np.ndarray) -> None:
+    sizes = _sizes(events["magnitude"])
+    for mode, (colour, marker) in _MODES.items():
+        chosen = events["mode"] == mode
+        if chosen.any():
+            axes.scatter(x[chosen], y[chosen], s=sizes[chosen], color=colour, marker=marker,
+                         alpha=0.7, linewidths=0.0, label=f"{mode} ({chosen.sum()})")
+    axes.legend(fontsize="small", frameon=False, loc="lower left", bbox_to_anchor=(0.0, 1.0),
+                borderpad=0.0, ncols=3, handletextpad=0.2)
+
+
+def _outline(run: RunDirectory) -> np.ndarray:
+    """Undeformed edges of the model that only one triangle has, (n, 2, 2)."""
+    matrix = run.frame().matrix
+    places, number = np.unique(matrix.points, axis=0, return_inverse=True)
+    cells = number.ravel()[matrix.cells]
+    edges = np.sort(np.concatenate([cells[:, pair] for pair in ([0, 1], [1, 2], [2, 0])]), axis=1)
+    single, count = np.unique(edges, axis=0, return_counts=True)
+    return places[single[count == 1]]
+
+
+def _draw_places(axes, run: RunDirectory, events: Table) -> None:
+    if run.times:
+        axes.add_collection(LineCollection(_outline(run), colors="#808080", linewidths=0.8))
+    _scatter(axes, events, events["x_m"], events["y_m"])
+    axes.set_aspect("equal", adjustable="box")
+    axes.set_xlabel("x (m)")
+    axes.set_ylabel("y (m)")
+
+
+def _draw_energy(axes, events: Table, time) -> None:
+    released = np.cumsum(events["released_energy_J_per_m"])
+    scale = power_scale(released, "J/m")
+    axes.step(events["time_s"] / time.factor, released / scale.factor, where="post", color=BLACK)
+    axes.set_ylim(bottom=0)
+    axes.set_xlabel(time.label("Time"))
+    axes.set_ylabel(scale.label("Released energy, summed"))
+
+
+def _draw_b_value(axes, events: Table) -> None:
+    magnitude = np.sort(events["magnitude"][np.isfinite(events["magnitude"])])
+    fit = b_value(magnitude)
+    axes.set_visible(fit is not None)
+    if fit is None:
+        return
+    axes.plot(magnitude, np.arange(len(magnitude), 0, -1), linestyle="none", marker="o",
+              markersize=3.5, color=BLUE, label="events")
+    ends = np.array([fit.smallest, max(magnitude[-1], fit.smallest + 0.1)])
+    label = f"b = {fit.value:.2f} ± {fit.error:.2f} from M = {fit.smallest:.1f} on".replace(
+        "= -", f"= {_MINUS}")
+    axes.plot(ends, fit.number_above(ends), color=RED, linewidth=1.6,
+              label=f"{label} ({fit.count} events)")
+    axes.set_yscale("log")
+    axes.set_ylim(bottom=0.7)
+    axes.set_xlabel("Magnitude M")
+    axes.set_ylabel("Number of events of M or more")
+    axes.legend(fontsize="small", frameon=False, loc="lower left", bbox_to_anchor=(0.0, 1.0),
+                borderpad=0.0, ncols=2)
+
+
+def draw_events(run: RunDirectory, path: Path) -> Path | None:
+    """Writes four panels to `path` and returns it: magnitudes over time, places, released energy,
+    and, of 20 events or more, the numbers over the magnitude with the b-value. None, and no file,
+    where no joint broke."""
+    events = run.events
+    if not len(events):
+        return None
+    time = time_scale(events["time_s"])
+    figure, grid = plt.subplots(2, 2, figsize=(11, 8.5), layout="constrained")
+    _scatter(grid[0, 0], events, events["time_s"] / time.factor, events["magnitude"])
+    grid[0, 0].set_xlabel(time.label("Time"))
+    grid[0, 0].set_ylabel("Magnitude M")
+    _draw_places(grid[0, 1], run, events)
+    _draw_energy(grid[1, 0], events, time)
+    _draw_b_value(grid[1, 1], events)
+    for axes in (grid[0, 0], grid[1, 0], grid[1, 1]):
+        axes.grid(alpha=0.3)
+    figure.suptitle(run.title, fontsize=11)
+    figure.savefig(path, dpi=120)
+    plt.close(figure)
+    return path

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/case/applies_physics.hpp"
+
+#include <array>
+
+namespace percolith::case_file {
+
+namespace {
+
+using simulation::Physics;
+using simulation::Setup;
+
+constexpr std::array<std::string_view, 23> of_seepage{{
+    "model.head_datum",
+    "model.pore_joints",
+    "model.joint_factor",
+    "model.saturation_weight",
+    "fluid",
+    "material.*.permeability",
+    "material.*.porosity",
+    "material.*.biot_modulus",
+    "fracture.*.initial_aperture",
+    "fracture.*.minimum_aperture",
+    "fracture.*.maximum_aperture",
+    "fracture.*.transmissivity",
+    "fracture.*.exchange",
+    "boundary.*.pressure",
+    "boundary.*.head",
+    "boundary.*.flux",
+    "boundary.*.seepage_face",
+    "boundary.*.on",
+    "source.*",
+    "initial",
+    "time.initial_step",
+    "time.maximum_step",
+    "time.tolerance",
+}};
+
+constexpr std::array<std::string_view, 45> of_mechanics{{
+    "model.plane",
+    "material.*.density",
+    "material.*.young_modulus",
+    "material.*.poisson_ratio",
+    "material.*.normal_young_modulus",
+    "material.*.normal_poisson_ratio",
+    "material.*.normal_shear_modulus",
+    "material.*.bedding_angle",
+    "material.*.joints",
+    "material.*.tensile_strength",
+    "material.*.cohesion",
+    "material.*.friction_angle",
+    "material.*.residual_friction_angle",
+    "material.*.mode_1_energy",
+    "material.*.mode_2_energy",
+    "material.*.joint_penalty",
+    "material.*.weibull_modulus",
+    "material.*.weibull_seed",
+    "fracture.*.bond",
+    "fracture.*.tensile_strength",
+    "fracture.*.cohesion",
+    "fracture.*.friction_angle",
+    "fracture.*.residual_friction_angle",
+    "fracture.*.mode_1_energy",
+    "fracture.*.mode_2_energy",
+    "fracture.*.joint_penalty",
+    "boundary.*.fixed",
+    "boundary.*.roller",
+    "boundary.*.displacement_x",
+    "boundary.*.displacement_y",
+    "boundary.*.velocity_x",
+    "boundary.*.velocity_y",
+    "boundary.*.traction_x",
+    "boundary.*.traction_y",
+    "boundary.*.normal_pressure",
+    "boundary.*.in_situ",
+    "boundary.*.absorbing",
+    "body.*",
+    "point_force.*",
+    "in_situ",
+    "excavation.*",
+    "damping",
+    "contact",
+    "time.stop_ratio",
+    "time.mass_scaling_step",
+}};
+
+bool is_seepage(const Setup& setup, const std::string& /*name*/) {
+  return setup.model.physics == Physics::seepage;
+}
+
+bool is_mechanics(const Setup& setup, const std::string& /*name*/) {
+  return setup.model.physics == Physics::mechanics;
+}
+
+bool is_breakable(const Setup& setup, const std::string& name) {
+  return setup.material.at(name).joints == simulation::RockJoints::breakable;
+}
+
+bool is_layered(const Setup& setup, const std::string& name) {
+  return setup.material.at(name).solid.normal_young_modulus.has_value();
+}
+
+bool is_cohesive(const Setup& setup, const std::string& name) {
+  return setup.fracture.at(name).bond == simulation::Bond::cohesive;
+}
+
+bool is_rigid(const Setup& setup, const std::string& name) {
+  return setup.body.at(name).rigid;
+}
+
+bool is_free(const Setup& setup, const std::string& name) {
+  return !is_rigid(setup, name);
+}
+
+bool has_gradient(const Setup& setup, const std::string& /*name*/) {
+  const auto& stress = setup.in_situ;
+  return stress &&
+         (stress->gradient_xx != 0.0 || stress->gradient_yy != 0.0 || stress->gradient_xy != 0.0);
+}
+
+void add_materials(std::vector<Applicability>& rules) {
+  const std::string breakable = "joints = \"breakable\"";
+  for (const char* const option :
+       {"tensile_strength", "cohesion", "residual_friction_angle", "mode_1_energy", "mode_2_energy",
+        "joint_penalty", "weibull_modulus"}) {
+    rules.push_back(
+        {std::string("material.*.") + option, {"material.*.joints"}, is_breakable, breakable});
+  }
+  rules.push_back({"material.*.weibull_seed",
+                   {"material.*.joints", "material.*.weibull_modulus"},
+                   [](const Setup& setup, const std::string& name) {
+                     return is_breakable(setup, name) &&
+                            setup.material.at(name).weibull_modulus.has_value();
+                   },
+                   "weibull_modulus"});
+  for (const char* const option :
+       {"normal_poisson_ratio", "normal_shear_modulus", "bedding_angle"}) {
+    rules.push_back({std::string("material.*.") + option,
+                     {"material.*.normal_young_modulus"},
+                     is_layered,
+                     "normal_young_modulus"});
+  }
+}
+
+void add_fractures(std::vector<Applicability>& rules) {
+  for (const char* const option :
+       {"tensile_strength", "cohesion", "mode_1_energy", "mode_2_energy", "joint_penalty"}) {
+    rules.push_back({std::string("fracture.*.") + option,
+                     {"fracture.*.bond"},
+                     is_cohesive,
+                     "bond = \"cohesive\""});
+  }
+  rules.push_back({"fracture.*.friction_angle",
+                   {"fracture.*.bond"},
+                   is_cohesive,
+                   "bond = \"cohesive\"; the faces of a broken fracture have "
+                   "residual_friction_angle"});
+}
+
+}  // namespace
+
+std::vector<Applicability> needs_of_physics() {
+  std::vector<Applicability> rules;
+  rules.reserve(of_seepage.size() + of_mechanics.size());
+  for (const std::string_view option : of_seepage) {
+    rules.push_back(
+        {std::string(option), {"model.physics"}, is_seepage, std::string(needs_seepage)});
+  }
+  for (const std::string_view option : of_mechanics) {
+    rules.push_back(
+        {std::string(option), {"model.physics"}, is_mechanics, std::string(needs_mechanics)});
+  }
+  return rules;
+}
+
+std::vector<Applicability> needs_within_mechanics() {
+  std::vector<Applicability> rules;
+  add_materials(rules);
+  add_fractures(rules);
+  for (const char* const option : {"velocity_x", "velocity_y"}) {
+    rules.push_back({std::string("body.*.") + option, {"body.*.rigid"}, is_rigid, "rigid = true"});
+    rules.push_back(
+        {std::string("body.*.initial_") + option, {"body.*.rigid"}, is_free, "rigid = false"});
+  }
+  rules.push_back({"in_situ.datum",
+                   {"in_situ.gradient_xx", "in_situ.gradient_yy", "in_situ.gradient_xy"},
+                   has_gradient,
+                   "a gradient"});
+  return rules;
+}
+
+}  // namespace percolith::case_file

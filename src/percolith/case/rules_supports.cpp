@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/case/rules.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace percolith::case_file {
+
+namespace {
+
+using simulation::BoundaryCondition;
+
+struct Support {
+  std::string_view name;
+  bool (*acts)(const BoundaryCondition&);
+};
+
+constexpr std::array<Support, 11> supports{{
+    {"fixed", [](const BoundaryCondition& c) { return c.fixed; }},
+    {"roller", [](const BoundaryCondition& c) { return c.roller; }},
+    {"displacement_x", [](const BoundaryCondition& c) { return c.displacement_x.has_value(); }},
+    {"displacement_y", [](const BoundaryCondition& c) { return c.displacement_y.has_value(); }},
+    {"velocity_x", [](const BoundaryCondition& c) { return c.velocity_x.has_value(); }},
+    {"velocity_y", [](const BoundaryCondition& c) { return c.velocity_y.has_value(); }},
+    {"traction_x", [](const BoundaryCondition& c) { return c.traction_x.has_value(); }},
+    {"traction_y", [](const BoundaryCondition& c) { return c.traction_y.has_value(); }},
+    {"normal_pressure", [](const BoundaryCondition& c) { return c.normal_pressure.has_value(); }},
+    {"in_situ", [](const BoundaryCondition& c) { return c.in_situ; }},
+    {"absorbing", [](const BoundaryCondition& c) { return c.absorbing; }},
+}};
+
+/// A support and those that cannot stand beside it on one boundary.
+struct Conflict {
+  std::string_view name;
+  std::vector<std::string_view> others;
+};
+
+/// What moves a boundary leaves no room for what else would move or hold it the same way, and
+/// tractions across the edges are told by one option alone.
+std::vector<Conflict> conflicts() {
+  return {
+      {"fixed",
+       {"roller", "displacement_x", "displacement_y", "velocity_x", "velocity_y", "traction_x",
+        "traction_y", "normal_pressure", "in_situ", "absorbing"}},
+      {"roller",
+       {"displacement_x", "displacement_y", "velocity_x", "velocity_y", "normal_pressure",
+        "absorbing"}},
+      {"displacement_x", {"velocity_x", "traction_x", "absorbing"}},
+      {"displacement_y", {"velocity_y", "traction_y", "absorbing"}},
+      {"velocity_x", {"traction_x", "absorbing"}},
+      {"velocity_y", {"traction_y", "absorbing"}},
+      {"normal_pressure", {"traction_x", "traction_y", "in_situ"}},
+  };
+}
+
+bool acts(const BoundaryCondition& condition, std::string_view name) {
+  return std::any_of(supports.begin(), supports.end(), [&](const Support& support) {
+    return support.name == name && support.acts(condition);
+  });
+}
+
+void check_conflicts(Rules& rules, const std::string& path, const BoundaryCondition& condition) {
+  for (const Conflict& conflict : conflicts()) {
+    for (const std::string_view other : conflict.others) {
+      if (acts(condition, conflict.name) && acts(condition, other)) {
+        report_contradiction(rules, join_key(path, other), join_key(path, conflict.name),
+                             {conflict.name, other});
+      }
+    }
+  }
+}
+
+void check_any(Rules& rules, const std::string& path, const BoundaryCondition& condition) {
+  std::vector<std::string_view> names;
+  bool any = false;
+  for (const Support& support : supports) {
+    names.push_back(support.name);
+    any = any || support.acts(condition);
+  }
+  if (!any) {
+    rules.fail(path, {"model.physics"}, "a support or a load is missing",
+               "one or more of " + listed(names));
+  }
+}
+
+}  // namespace
+
+void check_supports(Rules& rules) {
+  for (const auto& [name, condition] : rules.setup().boundary) {
+    const std::string path = "boundary." + name;
+    check_any(rules, path, condition);
+    check_conflicts(rules, path, condition);
+    if (condition.in_situ && !rules.setup().in_situ) {
+      rules.fail(path + ".in_situ", {"in_situ"}, "the case has no in-situ stress",
+                 "a table [in_situ]");
+    }
+  }
+}
+
+}  // namespace percolith::case_file

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/mechanics/closed_joints.hpp"
+
+#include "percolith/material/friction.hpp"
+#include "percolith/mechanics/joint_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace percolith::mechanics {
+namespace {
+
+/// Slip over the length of a joint beyond which its faces are left to contact.
+constexpr double facing_share = 0.1;
+/// Opening over the length beyond which its faces have parted: above round-off, far below any
+/// deformation.
+constexpr double parting_share = 1e-9;
+
+/// Traction at a point with friction brought up to date, and the energy sliding spent, J/m2.
+struct ClosedTraction {
+  material::JointTraction<double> traction;
+  double loss = 0.0;
+};
+
+ClosedTraction traction_of(const ClosedJoint& closed, const JointPoints& points, std::size_t g) {
+  const double normal = closed.stiffness * std::min(0.0, points.opening[g]);
+  const auto friction =
+      material::friction_step(closed.shear[g], closed.stiffness, closed.slip[g] - points.slip[g],
+                              -normal * closed.friction);
+  return {{normal, friction.force}, friction.loss};
+}
+
+struct ClosedForces {
+  Model* model;
+  double* dissipated;
+
+  void operator()(ScalarLane lane) const {
+    ClosedJoint& closed = model->closed[at(lane.first)];
+    const JointPoints k = joint_openings(*model, closed.joint);
+    const double length = model->mesh.joint_length(closed.joint);
+    std::array<material::JointTraction<double>, 2> t;
+    double spent = 0.0;
+    for (std::size_t g = 0; g < 2; ++g) {
+      const ClosedTraction now = traction_of(closed, k, g);
+      t[g] = now.traction;
+      spent += now.loss;
+      closed.shear[g] = t[g].shear;
+      closed.slip[g] = k.slip[g];
+    }
+    dissipated[lane.first] = 0.5 * length * spent;
+    const auto f = joint_forces(k.place, length, t);
+    double* out = model->joints.force.data() + force_slot(closed.joint);
+    out[0] = f[0].x;
+    out[block_width] = f[0].y;
+    out[2 * block_width] = f[1].x;
+    out[3 * block_width] = f[1].y;
+  }
+};
+
+double stored_in(const ClosedJoint& closed, const JointPoints& k, double length) {
+  double stored = 0.0;
+  for (std::size_t g = 0; g < 2; ++g) {
+    const auto t = traction_of(closed, k, g).traction;
+    stored += 0.25 * length * (t.normal * t.normal + t.shear * t.shear) / closed.stiffness;
+  }
+  return stored;
+}
+
+}  // namespace
+
+void add_closed_joints(Model& model, Execution& execution) {
+  if (model.closed.empty()) {
+    return;
+  }
+  std::vector<double> dissipated(model.closed.size());
+  const auto n = static_cast<Index>(model.closed.size());
+  execution.for_each("closed joints", n, ClosedForces{&model, dissipated.data()});
+  model.energy.closed_friction += execution.sum(n, [&](Index i) { return dissipated[at(i)]; });
+}
+
+std::vector<ClosedJointEnd> ended_closed_joints(const Model& model) {
+  std::vector<ClosedJointEnd> ended;
+  for (const ClosedJoint& closed : model.closed) {
+    const JointPoints k = joint_openings(model, closed.joint);
+    const double length = model.mesh.joint_length(closed.joint);
+    const double slipped = 0.5 * std::abs((k.slip[0] - closed.slip_at_start[0]) +
+                                          (k.slip[1] - closed.slip_at_start[1]));
+    const bool parted = std::min(k.opening[0], k.opening[1]) > parting_share * length;
+    if (!parted && slipped < facing_share * length) {
+      continue;
+    }
+    ClosedJointEnd end{closed.joint, 0.0, {}, stored_in(closed, k, length)};
+    for (std::size_t g = 0; g < 2; ++g) {
+      const auto t = traction_of(closed, k, g).traction;
+      end.normal_force -= 0.5 * length * t.normal;
+      end.shear_on_first = end.shear_on_first + 0.5 * length * t.shear * k.place.along;
+    }
+    ended.push_back(end);
+  }
+  return ended;
+}
+
+double stored_in_closed_joints(const Model& model) {
+  double stored = 0.0;
+  for (const ClosedJoint& closed : model.closed) {
+    stored += stored_in(closed, joint_openings(model, closed.joint),
+                        model.mesh.joint_length(closed.joint));
+  }
+  return stored;
+}
+
+}  // namespace percolith::mechanics

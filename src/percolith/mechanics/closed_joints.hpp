@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/core/execution.hpp"
+#include "percolith/mechanics/model.hpp"
+
+#include <vector>
+
+namespace percolith::mechanics {
+
+/// Forces of the closed joints in the present positions: k times the overlap of the faces and
+/// Coulomb friction with a plastic slip. Overwrites the forces the bonded joints left there (none),
+/// books the energy friction spends.
+void add_closed_joints(Model& model, Execution& execution);
+
+/// What a closed joint carries, and whether it goes on to be closed.
+struct ClosedJointEnd {
+  Index joint = 0;
+  double normal_force = 0.0;  ///< N/m, compression positive
+  Point shear_on_first;       ///< N/m, on side 0
+  double stored = 0.0;        ///< J/m
+};
+
+/// The closed joints whose faces have parted, or slid so far (a tenth of their length) that they no
+/// longer face each other; ascending.
+[[nodiscard]] std::vector<ClosedJointEnd> ended_closed_joints(const Model& model);
+
+/// Energy the closed joints would give back, J/m.
+[[nodiscard]] double stored_in_closed_joints(const Model& model);
+
+}  // namespace percolith::mechanics

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/mechanics/contact/placed_triangle.hpp"
+#include "percolith/mesh/mesh.hpp"
+
+#include <array>
+#include <span>
+
+namespace percolith::mechanics {
+
+using mesh::Index;
+
+/// An axis-parallel box, m; empty where low exceeds high.
+struct Box {
+  Point low{1e100, 1e100};
+  Point high{-1e100, -1e100};
+  [[nodiscard]] bool empty() const { return !(low.x <= high.x && low.y <= high.y); }
+};
+
+/// The box round a triangle, wider by `gap` on each side; empty where it is not finite.
+[[nodiscard]] Box box_of(const PlacedTriangle& triangle, double gap);
+
+inline bool boxes_meet(const Box& a, const Box& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
+
+/// Boxes sorted into the cells of a uniform grid; a box is in every cell it meets.
+class CellGrid {
+public:
+  /// Cells have about the mean size of the boxes, more where a few boxes are so large or the boxes
+  /// so far apart that the grid would outgrow their number.
+  explicit CellGrid(std::span<const Box> boxes);
+
+  /// First and last column and row that a box meets.
+  struct Range {
+    Index first_column = 0, last_column = -1, first_row = 0, last_row = -1;
+  };
+  [[nodiscard]] Range range_of(const Box& box) const;
+  /// Boxes in a cell, ascending.
+  [[nodiscard]] std::span<const Index> cell(Index column, Index row) const {
+    return cells_.row(row * columns_ + column);
+  }
+
+private:
+  void choose_cells(std::span<const Box> boxes);
+  void resize(double size, const Point& extent);
+  [[nodiscard]] double entries(std::span<const Box> boxes) const;
+  void fill(std::span<const Box> boxes);
+
+  Point low_;
+  double size_ = 1.0;  // of a cell, m
+  Index columns_ = 1, rows_ = 1;
+  mesh::IndexTable cells_;
+};
+
+}  // namespace percolith::mechanics

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/core/compensated.hpp"
+#include "percolith/core/execution.hpp"
+#include "percolith/core/hash.hpp"
+#include "percolith/core/vec2.hpp"
+#include "percolith/mechanics/contact/candidates.hpp"
+#include "percolith/mechanics/contact/pair_force.hpp"
+#include "percolith/mechanics/contact/placed_triangle.hpp"
+#include "percolith/mechanics/contact/search.hpp"
+#include "percolith/mesh/mesh.hpp"
+#include "percolith/mesh/node_map.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace percolith::mechanics {
+
+/// What contact knows of the triangles, one entry each.
+struct ContactProperties {
+  std::vector<double> penalty;             ///< p_n of (4), Pa; a pair takes both in series
+  std::vector<double> tangential_penalty;  ///< p_t of (6), Pa/m; a pair takes both in series
+  std::vector<double> friction;            ///< tan(phi) of (7); a pair takes the smaller one
+};
+
+/// Displacements (m) and velocities (m/s) of the corners, one entry a corner slot.
+struct CornerMotion {
+  std::span<const double> ux, uy, vx, vy;
+};
+
+/// Which triangles may touch which.
+struct ContactTopology {
+  /// Per triangle: 1 where it has a corner on a free boundary or at the end of a joint that is not
+  /// bonded; only these are searched. 0 also for triangles that have been taken out.
+  std::span<const std::uint8_t> candidate;
+  /// Corners that are connected through bonded joints round their vertex share a leader: two
+  /// triangles with a shared leader do not touch, unless they face each other across a broken
+  /// joint.
+  const mesh::NodeMap* fans = nullptr;
+  /// Per joint: 1 where its two triangles may touch (it is broken), 0 where a bonded joint or the
+  /// friction of a closed one acts between them.
+  std::span<const std::uint8_t> faces_touch;
+};
+
+/// The force a joint carried when it was given up, to be carried on by the contact of its faces.
+struct HandOver {
+  Index joint = 0;
+  double normal_force = 0.0;  ///< N/m, compression positive
+  Point shear_on_first;       ///< N/m, along the joint, on the triangle of side 0
+};
+
+/// Contact of triangles by the overlap potential, (4), (5), with Coulomb friction, (6), (7). Pairs
+/// are found on a uniform grid in linear time and kept until something may have moved by half the
+/// margin around them.
+///
+/// A pair that overlaps when it is first looked at (neighbours round a vertex, once they may touch)
+/// has an offset taken off its force, so that it starts at zero; as the overlap lessens the offset
+/// goes with it. A pair with a hand-over starts with the force of its joint instead: until the
+/// faces part, its force is that of the overlap times a factor.
+class Contact {
+public:
+  Contact(const mesh::Mesh& mesh, ContactProperties properties);
+
+  /// To be called before the first step and when joints broke or closed or triangles were taken
+  /// out: the pairs are searched anew at the next step. Views are read during the call only.
+  void topology_changed(const mesh::Mesh& mesh, const ContactTopology& topology);
+  /// Gives the contact across a joint the force it starts with; before the next `advance`. Without
+  /// effect where the faces of the joint may not touch or are apart.
+  void hand_over(const mesh::Mesh& mesh, const HandOver& start);
+
+  /// Forces of the present positions. `travelled` (m) bounds how far any corner has moved since the
+  /// last call, `dt` (s) is the step that led here: friction follows the velocities over it.
+  void advance(const mesh::Mesh& mesh, const CornerMotion& motion, double travelled, double dt,
+               Execution& execution);
+
+  /// N/m, per corner slot; zero where `acts` is zero.
+  [[nodiscard]] std::span<const double> force_x() const { return force_x_; }
+  [[nodiscard]] std::span<const double> force_y() const { return force_y_; }
+  /// Per block of eight triangles: 1 where any corner of it may have a contact force.
+  [[nodiscard]] std::span<const std::uint8_t> acts() const { return acts_; }
+
+  /// J/m since the start: the work that tangential forces took from the bodies, as
+  /// (f before + f after)/2 times the displacement of each step, less `stored_tangential`.
+  [[nodiscard]] double friction_dissipation() const { return friction_dissipation_.total(); }
+  /// Energy in the tangential springs of all pairs, J/m. What a joint hands over appears here.
+  [[nodiscard]] double stored_tangential() const;
+  /// Energy of the normal forces at the last `advance`, J/m: for each pair
+  /// factor p (A0_a/A_a int phi_a dA + A0_b/A_b int phi_b dA), see `overlap_force`. Of a pair with
+  /// an offset only the share (1 - offset/(factor |f|))^2 counts, exact for a force that grows
+  /// with the depth.
+  [[nodiscard]] double potential_energy() const;
+  /// Pairs that are looked at, and those of them that overlap.
+  [[nodiscard]] Index listed_pairs() const { return static_cast<Index>(list_.pair.size()); }
+  [[nodiscard]] Index touching_pairs() const;
+  /// Largest depth of an overlap, along its normal force, m; 0 where nothing touches.
+  [[nodiscard]] double deepest() const;
+  /// Adds all that later steps depend on.
+  void add_to(StateHash& hash) const;
+
+  /// Pairs of triangles that may touch and overlap by more than `share` of the smaller one's area
+  /// where they are now; ascending. For refusing bodies that overlap at the start.
+  [[nodiscard]] std::vector<std::array<Index, 2>>
+  overlapping(const mesh::Mesh& mesh, const CornerMotion& motion, double share = 1e-6) const;
+
+private:
+  void place(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution);
+  void search(Execution& execution);
+  void carry_over(const PairList& list, PairStates& states);
+  void apply_hand_overs();
+  void clear_forces();
+  void gather(Execution& execution);
+
+  struct PendingHandOver {
+    std::array<Index, 2> triangle;
+    HandOver start;
+  };
+
+  ContactProperties properties_;
+  std::vector<std::array<Index, 3>> triangle_joints_;
+  std::vector<Candidate> candidates_;
+  std::vector<Surface> surface_;  // per candidate, as all up to the next remark
+  std::vector<PlacedTriangle> placed_;
+  std::vector<CornerVelocities> velocity_;
+  std::vector<Index> block_start_;  // first candidate of each block that has any, and the end
+  std::vector<Index> searched_;     // triangles of the candidates the list was made for
+  PairList list_;
+  PairStates pairs_;
+  std::vector<PairHandOver> handed_;
+  std::vector<PendingHandOver> pending_;
+  bool stale_ = true;
+  double margin_ = 0.0;     // m
+  double travelled_ = 0.0;  // m, since the search
+  CompensatedSum friction_dissipation_;
+  std::vector<double> force_x_, force_y_;
+  std::vector<std::uint8_t> acts_;
+};
+
+}  // namespace percolith::mechanics

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/mechanics/dynamics.hpp"
+
+#include "percolith/mechanics/excavation.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace percolith::mechanics {
+namespace {
+
+CornerMotion motion_of(const Model& model) {
+  const Motion& m = model.motion;
+  return {m.ux, m.uy, m.vx, m.vy};
+}
+
+EnergyStart start_of(const Model& model, const JointTable& table) {
+  const Execution serial(Backend::serial);
+  EnergyStart start{0.0, elastic_energy(model, serial), stored_in_joints(model, table, serial)};
+  for (Index t = 0; t < model.mesh.triangles(); ++t) {
+    const double w = model.triangles.inverse_mass[at(t)];
+    for (Index k = 0; w > 0.0 && k < 3; ++k) {
+      const auto c = at(mesh::corner_of(t, k));
+      start.kinetic +=
+          0.5 / w *
+          (model.motion.vx[c] * model.motion.vx[c] + model.motion.vy[c] * model.motion.vy[c]);
+    }
+  }
+  return start;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> contact_candidates(const Model& model) {
+  std::vector<std::uint8_t> at_vertex(model.mesh.vertex.size(), 0);
+  const auto mark = [&](const std::array<Index, 2>& ends) {
+    at_vertex[at(ends[0])] = 1;
+    at_vertex[at(ends[1])] = 1;
+  };
+  for (const mesh::BoundaryEdge& edge : model.mesh.boundary) {
+    mark(edge.vertex);
+  }
+  for (Index j = 0; j < model.mesh.joints(); ++j) {
+    if (model.bonded[at(j)] == 0) {
+      mark(model.mesh.joint[at(j)].vertex);
+    }
+  }
+  std::vector<std::uint8_t> candidate(at(model.mesh.triangles()), 0);
+  for (Index t = 0; t < model.mesh.triangles(); ++t) {
+    for (const Index v : model.mesh.triangle_vertex[at(t)]) {
+      if (at_vertex[at(v)] != 0 && model.triangles.inverse_mass[at(t)] > 0.0) {
+        candidate[at(t)] = 1;
+      }
+    }
+  }
+  return candidate;
+}
+
+Dynamics::Dynamics(Model model, LoadList loads, SupportSet supports, ContactProperties contact)
+    : model_(std::move(model)), table_(joint_table(model_)), loads_(model_.mesh, std::move(loads)),
+      supports_(std::move(supports)), contact_penalty_(contact.penalty),
+      contact_(model_.mesh, std::move(contact)), start_(start_of(model_, table_)) {
+  if (model_.any_tied) {
+    buffers_.resize(model_.mesh.corners());
+  }
+  renew_contact({});
+}
+
+Changes Dynamics::advance(double dt, Execution& execution) {
+  execution.for_each("joints", model_.mesh.joints(), JointForces(model_, table_));
+  add_closed_joints(model_, execution);
+  contact_.advance(model_.mesh, motion_of(model_), travelled_, model_.motion.last_step, execution);
+  loads_.apply(model_);
+  supports_.apply(model_, dt);
+  book(move(dt, execution), dt);
+  loads_.book_absorbed(model_, dt);
+  model_.motion.time += dt;
+  model_.motion.last_step = dt;
+  const auto start = std::chrono::steady_clock::now();
+  Changes changes = break_failed_joints(model_, table_);
+  if (changes.any()) {
+    renew_contact(changes.parted);
+  }
+  execution.book("breakage", start);
+  return changes;
+}
+
+LaneTotals<terms> Dynamics::move(double dt, Execution& execution) {
+  const ContactForces contact{contact_.force_x(), contact_.force_y(), contact_.acts()};
+  const Move motion(model_, contact, dt);
+  const Index n = model_.mesh.triangles();
+  if (!model_.any_tied) {
+    return execution.sum_each<terms>("triangles and motion", n, motion);
+  }
+  execution.for_each("triangles", n, StoreForces{motion, &buffers_});
+  LaneTotals<terms> totals = execution.sum_each<terms>(
+      "motion", model_.mesh.vertices(), MoveNodes{motion, &buffers_, &model_.mesh, &model_.nodes});
+  const auto finished = execution.sum_each<terms>("motion", n, FinishMotion{motion, &buffers_});
+  for (std::size_t k = 0; k < terms; ++k) {
+    totals.sum[k] += finished.sum[k];
+  }
+  totals.peak = std::max(totals.peak, finished.peak);
+  return totals;
+}
+
+void Dynamics::book(const LaneTotals<terms>& totals, double dt) {
+  const auto value = [&](Term term) { return totals.sum[static_cast<std::size_t>(term)]; };
+  Energies& e = model_.energy;
+  e.kinetic = value(Term::kinetic);
+  e.internal_work += value(Term::internal);
+  e.viscous += -value(Term::viscous);
+  e.joint_work += value(Term::joint);
+  e.contact_work += value(Term::contact);
+  e.load_work += value(Term::load);
+  e.gravity_work += value(Term::gravity);
+  e.support_work += value(Term::support);
+  e.damping += -value(Term::damping);
+  e.unbalanced = value(Term::unbalanced);
+  e.internal = value(Term::stressing);
+  travelled_ = std::sqrt(totals.peak) * dt;
+}
+
+void Dynamics::renew_contact(std::span<const ClosedJointEnd> parted) {
+  const std::vector<std::uint8_t> candidate = contact_candidates(model_);
+  std::vector<std::uint8_t> faces_touch(model_.mesh.joint.size());
+  for (std::size_t j = 0; j < faces_touch.size(); ++j) {
+    faces_touch[j] = model_.joints.state[j] == JointState::broken ? 1 : 0;
+  }
+  contact_.topology_changed(model_.mesh, {candidate, &model_.fans, faces_touch});
+  for (const ClosedJointEnd& end : parted) {
+    if (end.normal_force > 0.0) {
+      contact_.hand_over(model_.mesh, {end.joint, end.normal_force, end.shear_on_first});
+    }
+  }
+}
+
+void Dynamics::take_out(std::span<const Index> triangles, double duration) {
+  loads_.add_fading(model_.mesh, remove_triangles(model_, table_, triangles, duration));
+  renew_contact({});
+}
+
+double Dynamics::unbalanced_ratio() const {
+  const Energies& e = model_.energy;
+  return e.internal > 0.0 ? e.unbalanced / e.internal : 0.0;
+}
+
+EnergyBalance Dynamics::energy(const Execution& execution) const {
+  return energy_balance(model_, table_, start_, contact_.friction_dissipation(), execution);
+}
+
+std::vector<std::array<Index, 2>> Dynamics::overlapping() const {
+  return contact_.overlapping(model_.mesh, motion_of(model_));
+}
+
+void Dynamics::add_to(StateHash& hash) const {
+  const Motion& m = model_.motion;
+  for (const auto* field : {&m.ux, &m.uy, &m.vx, &m.vy}) {
+    hash.add(*field);
+  }
+  for (std::size_t g = 0; g < 2; ++g) {
+    hash.add(model_.joints.damage[g]);
+    hash.add(model_.joints.opening_peak[g]);
+    hash.add(model_.joints.slip_peak[g]);
+  }
+  for (const ClosedJoint& closed : model_.closed) {
+    hash.add(closed.shear);
+    hash.add(closed.slip);
+  }
+  contact_.add_to(hash);
+  hash.add(m.time);
+}
+
+}  // namespace percolith::mechanics

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/core/execution.hpp"
+#include "percolith/core/hash.hpp"
+#include "percolith/mechanics/breakage.hpp"
+#include "percolith/mechanics/contact/contact.hpp"
+#include "percolith/mechanics/energy.hpp"
+#include "percolith/mechanics/loads.hpp"
+#include "percolith/mechanics/node_motion.hpp"
+#include "percolith/mechanics/supports.hpp"
+
+namespace percolith::mechanics {
+
+/// Advances the rock by explicit steps (theory.md section 12): forces from the present positions,
+/// velocities from the forces, positions from the velocities, then what has failed breaks.
+class Dynamics {
+public:
+  Dynamics(Model model, LoadList loads, SupportSet supports, ContactProperties contact);
+
+  /// One step of `dt` seconds; the caller keeps dt below the stability limit.
+  Changes advance(double dt, Execution& execution);
+
+  /// Takes regions' triangles out at the present time; the forces they gave to the rest fade over
+  /// `duration` (s).
+  void take_out(std::span<const Index> triangles, double duration);
+
+  [[nodiscard]] const Model& model() const { return model_; }
+  [[nodiscard]] Model& model() { return model_; }
+  [[nodiscard]] const Contact& contact() const { return contact_; }
+  [[nodiscard]] const SupportSet& supports() const { return supports_; }
+  [[nodiscard]] const LoadSet& loads() const { return loads_; }
+  [[nodiscard]] std::span<const double> contact_penalty() const { return contact_penalty_; }
+  /// Sum of |unbalanced force| over the sum of |internal force| of the last step; 0 at rest.
+  [[nodiscard]] double unbalanced_ratio() const;
+  [[nodiscard]] EnergyBalance energy(const Execution& execution) const;
+  /// Triangle pairs that overlap now, for a start that must have none.
+  [[nodiscard]] std::vector<std::array<Index, 2>> overlapping() const;
+  void add_to(StateHash& hash) const;
+
+private:
+  LaneTotals<terms> move(double dt, Execution& execution);
+  void book(const LaneTotals<terms>& totals, double dt);
+  void renew_contact(std::span<const ClosedJointEnd> parted);
+
+  Model model_;
+  JointTable table_;
+  LoadSet loads_;
+  SupportSet supports_;
+  std::vector<double> contact_penalty_;
+  Contact contact_;
+  NodeBuffers buffers_;
+  EnergyStart start_;
+  double travelled_ = 0.0;  // in the last step, m
+};
+
+/// Per triangle: 1 where it has a corner on the boundary or at the end of a joint that is neither
+/// tied nor bonded.
+[[nodiscard]] std::vector<std::uint8_t> contact_candidates(const Model& model);
+
+}  // namespace percolith::mechanics

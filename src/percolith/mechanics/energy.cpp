@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/mechanics/energy.hpp"
+
+#include "percolith/mechanics/closed_joints.hpp"
+#include "percolith/mechanics/joint_points.hpp"
+#include "percolith/mechanics/strain.hpp"
+
+namespace percolith::mechanics {
+
+double elastic_energy(const Model& model, const Execution& execution) {
+  return execution.sum(model.mesh.triangles(), [&](Index t) {
+    if (model.triangles.inverse_mass[at(t)] == 0.0) {
+      return 0.0;
+    }
+    const TriangleStrain strained = triangle_strain(model, t);
+    const auto& stiffness = model.material[at(model.triangles.material[at(t)])].stiffness;
+    const Tensor& e = strained.strain;
+    const Tensor s = material::stress_of(stiffness, e);
+    double density = 0.5 * (s.xx * e.xx + s.yy * e.yy + 2.0 * s.xy * e.xy);
+    if (!model.triangles.initial_xx.empty()) {
+      density += model.triangles.initial_xx[at(t)] * e.xx +
+                 model.triangles.initial_yy[at(t)] * e.yy +
+                 2.0 * model.triangles.initial_xy[at(t)] * e.xy;
+    }
+    return density * model.mesh.area(t);
+  });
+}
+
+double stored_in_joints(const Model& model, const JointTable& table, const Execution& execution) {
+  const double bonded = execution.sum(model.mesh.joints(), [&](Index j) {
+    if (model.joints.state[at(j)] != JointState::bonded) {
+      return 0.0;
+    }
+    const JointPoints points = joint_points(model, table, j);
+    double stored = 0.0;
+    for (std::size_t g = 0; g < 2; ++g) {
+      stored += material::stored_energy(points.traction[g], points.opening[g], points.slip[g]);
+    }
+    return 0.5 * model.mesh.joint_length(j) * stored;
+  });
+  return bonded + stored_in_closed_joints(model);
+}
+
+EnergyBalance energy_balance(const Model& model, const JointTable& table, const EnergyStart& start,
+                             double contact_friction, const Execution& execution) {
+  const Energies& e = model.energy;
+  EnergyBalance b;
+  b.kinetic = e.kinetic;
+  b.elastic = elastic_energy(model, execution);
+  b.joint = stored_in_joints(model, table, execution);
+  b.absorbed = e.absorbed.total() + e.taken_out.total() + e.joints_taken_out.total();
+  b.damping = e.damping.total() + e.viscous.total();
+  b.gravity = e.gravity_work.total();
+  b.external = e.load_work.total() + e.absorbed.total() + e.support_work.total();
+  b.friction = contact_friction + e.closed_friction.total();
+  const double handed = e.handed_over.total();
+  b.contact = handed - e.contact_work.total() - contact_friction;
+  b.fracture = -e.joint_work.total() - (b.joint - start.joint) - e.closed_friction.total() -
+               handed - e.joints_taken_out.total();
+  b.residual =
+      b.gravity + b.external -
+      ((b.kinetic - start.kinetic) + (b.elastic - start.elastic) + (b.joint - start.joint) +
+       b.fracture + b.contact + b.friction + b.damping + b.absorbed);
+  return b;
+}
+
+}  // namespace percolith::mechanics

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/core/execution.hpp"
+#include "percolith/mechanics/joint_forces.hpp"
+#include "percolith/mechanics/model.hpp"
+
+namespace percolith::mechanics {
+
+/// Energy of the rock strained from its in-situ stress, J/m: sum of A (E.D.E/2 + S_0.E).
+[[nodiscard]] double elastic_energy(const Model& model, const Execution& execution);
+
+/// Energy that bonded joints would give back along their secants and closed ones from their
+/// springs, J/m; in-situ stress counts from the start.
+[[nodiscard]] double stored_in_joints(const Model& model, const JointTable& table,
+                                      const Execution& execution);
+
+/// Energy balance since time zero, J/m. Works and kinetic energy are those of the discrete motion
+/// and close to round-off; elastic energy and the energy in joints are functions of the state, so
+/// that `residual` shows the error of the integration in time.
+struct EnergyBalance {
+  double kinetic = 0.0, elastic = 0.0;  ///< now
+  double joint = 0.0;                   ///< stored in bonded and closed joints, since the start
+  double fracture = 0.0;                ///< spent in bonds past their peak
+  double contact = 0.0;                 ///< stored in contact
+  double friction = 0.0;                ///< spent by sliding faces
+  double damping = 0.0;                 ///< spent by damping, element viscosity included
+  double absorbed = 0.0;  ///< left through absorbing boundaries or with rock taken out
+  double gravity = 0.0, external = 0.0;  ///< work done on the rock
+  double residual = 0.0;                 ///< what the terms do not account for
+};
+
+/// What the state was worth at time zero.
+struct EnergyStart {
+  double kinetic = 0.0, elastic = 0.0, joint = 0.0;
+};
+
+/// `contact_friction` (J/m) is what contact has spent by friction.
+[[nodiscard]] EnergyBalance energy_balance(const Model& model, const JointTable& table,
+                                           const EnergyStart& start, double contact_friction,
+                                           const Execution& execution);
+
+}  // namespace percolith::mechanics

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/mechanics/excavation.hpp"
+
+#include "percolith/mechanics/build.hpp"
+#include "percolith/mechanics/energy.hpp"
+#include "percolith/mechanics/joint_points.hpp"
+#include "percolith/mechanics/strain.hpp"
+
+#include <algorithm>
+
+namespace percolith::mechanics {
+namespace {
+
+/// Forces of stress and gravity on the corners of a triangle, N/m.
+CornerForces<double> own_forces(const Model& model, Index t) {
+  const Triangles& tri = model.triangles;
+  const auto shape =
+      triangle_shape(Point{tri.ax[at(t)], tri.ay[at(t)]}, Point{tri.bx[at(t)], tri.by[at(t)]});
+  const TriangleStrain strained = triangle_strain(model, t);
+  Tensor s =
+      material::stress_of(model.material[at(tri.material[at(t)])].stiffness, strained.strain);
+  if (!tri.initial_xx.empty()) {
+    s.xx += tri.initial_xx[at(t)];
+    s.yy += tri.initial_yy[at(t)];
+    s.xy += tri.initial_xy[at(t)];
+  }
+  CornerForces<double> force = corner_forces(shape, strained.gradient, s);
+  for (Point& f : force) {
+    f.y -= tri.weight.empty() ? 0.0 : tri.weight[at(t)];
+  }
+  return force;
+}
+
+/// What the removed corners of shared nodes give to a corner of the rest of the same node.
+void support_by_nodes(const Model& model, std::span<const std::uint8_t> removed,
+                      std::span<const Index> triangles, std::vector<CornerForce>& support) {
+  for (const Index t : triangles) {
+    const CornerForces<double> force = own_forces(model, t);
+    for (Index k = 0; k < 3; ++k) {
+      const Index corner = mesh::corner_of(t, k);
+      Index kept = mesh::none;
+      model.nodes.for_each_corner(model.mesh, model.nodes.leader(corner), [&](Index c) {
+        if (kept == mesh::none && removed[at(mesh::triangle_of(c))] == 0) {
+          kept = c;
+        }
+      });
+      if (kept != mesh::none) {
+        support.push_back({kept, force[at(k)]});
+      }
+    }
+  }
+}
+
+/// What the joints between the removed triangles and the rest carry: the force stands in the arrays
+/// from the last step.
+void support_by_joint(const Model& model, Index j, std::size_t kept_side,
+                      std::vector<CornerForce>& support) {
+  const double* force = model.joints.force.data() + force_slot(j);
+  const double sign = kept_side == 0 ? 1.0 : -1.0;
+  for (std::size_t end = 0; end < 2; ++end) {
+    const double* f = force + 2 * block_width * static_cast<Index>(end);
+    support.push_back(
+        {model.mesh.joint[at(j)].corner[kept_side][end], sign * Point{f[0], f[block_width]}});
+  }
+}
+
+double energy_held(const Model& model, Index t) {
+  const TriangleStrain strained = triangle_strain(model, t);
+  const Tensor& e = strained.strain;
+  const Tensor s =
+      material::stress_of(model.material[at(model.triangles.material[at(t)])].stiffness, e);
+  double density = 0.5 * (s.xx * e.xx + s.yy * e.yy + 2.0 * s.xy * e.xy);
+  if (!model.triangles.initial_xx.empty()) {
+    density += model.triangles.initial_xx[at(t)] * e.xx + model.triangles.initial_yy[at(t)] * e.yy +
+               2.0 * model.triangles.initial_xy[at(t)] * e.xy;
+  }
+  double energy = density * model.mesh.area(t);
+  for (Index k = 0; k < 3; ++k) {
+    const auto c = at(mesh::corner_of(t, k));
+    const Point v{model.motion.vx[c], model.motion.vy[c]};
+    energy += 0.5 / model.triangles.inverse_mass[at(t)] * dot(v, v);
+  }
+  return energy;
+}
+
+void forget_joint(Model& model, Index j) {
+  switch_off(model, j);
+  model.joints.state[at(j)] = JointState::broken;
+  model.tied[at(j)] = 0;
+  model.bonded[at(j)] = 0;
+  double* force = model.joints.force.data() + force_slot(j);
+  for (Index component = 0; component < 4; ++component) {
+    force[component * block_width] = 0.0;
+  }
+}
+
+void stop_triangle(Model& model, Index t) {
+  model.triangles.inverse_mass[at(t)] = 0.0;
+  for (Index k = 0; k < 3; ++k) {
+    const auto c = at(mesh::corner_of(t, k));
+    model.motion.vx[c] = 0.0;
+    model.motion.vy[c] = 0.0;
+  }
+  if (!model.triangles.weight.empty()) {
+    model.triangles.weight[at(t)] = 0.0;
+  }
+}
+
+}  // namespace
+
+FadingSupport remove_triangles(Model& model, const JointTable& table,
+                               std::span<const Index> triangles, double duration) {
+  const Execution serial(Backend::serial);
+  const double stored_before = stored_in_joints(model, table, serial);
+  std::vector<std::uint8_t> removed(at(model.mesh.triangles()), 0);
+  for (const Index t : triangles) {
+    removed[at(t)] = 1;
+  }
+  FadingSupport support{model.motion.time, duration, {}};
+  support_by_nodes(model, removed, triangles, support.force);
+  std::vector<Index> vertices;
+  for (Index j = 0; j < model.mesh.joints(); ++j) {
+    const auto& corner = model.mesh.joint[at(j)].corner;
+    const bool first = removed[at(mesh::triangle_of(corner[0][0]))] != 0;
+    const bool second = removed[at(mesh::triangle_of(corner[1][0]))] != 0;
+    if (first || second) {
+      if (first != second && model.tied[at(j)] == 0) {
+        support_by_joint(model, j, first ? 1 : 0, support.force);
+      }
+      forget_joint(model, j);
+      const auto& ends = model.mesh.joint[at(j)].vertex;
+      vertices.insert(vertices.end(), ends.begin(), ends.end());
+    }
+  }
+  for (const Index t : triangles) {
+    model.energy.taken_out += energy_held(model, t);
+    stop_triangle(model, t);
+  }
+  std::erase_if(model.closed, [&](const ClosedJoint& c) {
+    return model.joints.state[at(c.joint)] != JointState::closed;
+  });
+  for (const Index v : vertices) {
+    model.nodes.refresh(model.mesh, model.tied, v);
+    model.fans.refresh(model.mesh, model.bonded, v);
+  }
+  model.energy.joints_taken_out += stored_before - stored_in_joints(model, table, serial);
+  return support;
+}
+
+}  // namespace percolith::mechanics

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/mechanics/joint.hpp"
+#include "percolith/mechanics/model.hpp"
+
+namespace percolith::mechanics {
+
+/// Constants of the law per kind of joint, as the kernel reads them.
+using JointTable = std::vector<material::JointConstants<double>>;
+[[nodiscard]] JointTable joint_table(const Model& model);
+
+/// Forces of the bonded joints. A block none of whose joints was ever past its peak is `whole` and
+/// has no memory to read; the first one past it makes the block `damaged`.
+struct JointForces {
+  static constexpr bool vectorised = true;
+
+  explicit JointForces(Model& model, const JointTable& table);
+
+  template <class Lane>
+  PERCOLITH_DEVICE void operator()(Lane lane) const {
+    using Real = typename Lane::Real;
+    const Index j = lane.first;
+    const Vec2<Real> edge{Lane::load(ex + j), Lane::load(ey + j)};
+    const JointPlace<Real> place = joint_place(edge, displacements<Lane>(j));
+    const material::JointConstants<Real> c = constants<Lane>(j);
+    std::array<Real, 2> opening;
+    std::array<Real, 2> slip;
+    std::array<material::JointTraction<Real>, 2> t;
+    auto weak = Real(0.0) > Real(0.0);
+    for (std::size_t g = 0; g < 2; ++g) {
+      const Vec2<Real> apart = apart_at(place, g);
+      opening[g] = dot(apart, place.across);
+      slip[g] = dot(apart, place.along);
+      if (starts) {
+        opening[g] += Lane::load(opening_start[g] + j);
+        slip[g] += Lane::load(slip_start[g] + j);
+      }
+      t[g] = material::elastic_traction(c.stiffness, opening[g], slip[g]);
+      weak = weak || material::exceeds_strength(c, t[g]);
+    }
+    std::uint8_t& block = condition[j / block_width];
+    if (block != static_cast<std::uint8_t>(BlockCondition::whole) || any(weak)) {
+      soften<Lane>(j, c, opening, slip, t, block);
+    }
+    const Real length = square_root(dot(edge, edge));
+    const auto f = joint_forces(place, length, t);
+    double* out = force + force_slot(j);
+    Lane::store(out, f[0].x);
+    Lane::store(out + block_width, f[0].y);
+    Lane::store(out + 2 * block_width, f[1].x);
+    Lane::store(out + 3 * block_width, f[1].y);
+  }
+
+private:
+  template <class Lane>
+  PERCOLITH_DEVICE std::array<std::array<Vec2<typename Lane::Real>, 2>, 2>
+  displacements(Index j) const {
+    std::array<std::array<Vec2<typename Lane::Real>, 2>, 2> u;
+    const Index* corner = slot + force_slot(j);
+    for (std::size_t side = 0; side < 2; ++side) {
+      for (std::size_t end = 0; end < 2; ++end) {
+        u[side][end] = {Lane::gather(ux, corner), Lane::gather(uy, corner)};
+        corner += block_width;
+      }
+    }
+    return u;
+  }
+
+  template <class Lane>
+  PERCOLITH_DEVICE material::JointConstants<typename Lane::Real> constants(Index j) const {
+    using Real = typename Lane::Real;
+    material::JointConstants<Real> c{};
+    if (uniform[j / block_width] != 0) {
+      const material::JointConstants<double>& one = table[strength[j]];
+      c = {Real(0.0),          Real(one.tensile),       Real(one.cohesion),
+           Real(one.friction), Real(one.opening_range), Real(one.slip_range)};
+    } else {
+      const auto pick = [&](double material::JointConstants<double>::*member) {
+        return Lane::generate([&](Index i) { return table[strength[j + i]].*member; });
+      };
+      using Constants = material::JointConstants<double>;
+      c = {Real(0.0),
+           pick(&Constants::tensile),
+           pick(&Constants::cohesion),
+           pick(&Constants::friction),
+           pick(&Constants::opening_range),
+           pick(&Constants::slip_range)};
+    }
+    c.stiffness = Lane::load(stiffness + j);
+    if (factor != nullptr) {
+      // Weaker joints spend less energy: the opening and slip over which they soften stay the same.
+      const Real f = Lane::load(factor + j);
+      c.tensile = c.tensile * f;
+      c.cohesion = c.cohesion * f;
+    }
+    return c;
+  }
+
+  template <class Lane>
+  PERCOLITH_DEVICE void soften(Index j, const material::JointConstants<typename Lane::Real>& c,
+                               const std::array<typename Lane::Real, 2>& opening,
+                               const std::array<typename Lane::Real, 2>& slip,
+                               std::array<material::JointTraction<typename Lane::Real>, 2>& t,
+                               std::uint8_t& block) const {
+    using Real = typename Lane::Real;
+    Real least(1.0);
+    for (std::size_t g = 0; g < 2; ++g) {
+      material::JointMemory<Real> memory{Lane::load(opening_peak[g] + j),
+                                         Lane::load(slip_peak[g] + j), Lane::load(damage[g] + j)};
+      t[g] = material::softening_traction(c, opening[g], slip[g], memory);
+      Lane::store(opening_peak[g] + j, memory.opening_peak);
+      Lane::store(slip_peak[g] + j, memory.slip_peak);
+      Lane::store(damage[g] + j, memory.damage);
+      least = smaller(least, memory.damage);
+    }
+    const auto reached = any(least >= Real(1.0)) ? BlockCondition::failed : BlockCondition::damaged;
+    // Eight lanes of one block may come one after the other: none takes back what another found.
+    if (block < static_cast<std::uint8_t>(reached)) {
+      block = static_cast<std::uint8_t>(reached);
+    }
+  }
+
+  const double* ux;
+  const double* uy;
+  const Index* slot;
+  const double* ex;
+  const double* ey;
+  const double* stiffness;
+  const Index* strength;
+  const std::uint8_t* uniform;
+  const material::JointConstants<double>* table;
+  const double* factor;
+  bool starts;
+  std::array<const double*, 2> opening_start, slip_start;
+  std::array<double*, 2> opening_peak, slip_peak, damage;
+  std::uint8_t* condition;
+  double* force;
+};
+
+}  // namespace percolith::mechanics

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/mechanics/joint_points.hpp"
+
+namespace percolith::mechanics {
+
+JointPoints joint_openings(const Model& model, Index j) {
+  const mesh::Joint& joint = model.mesh.joint[at(j)];
+  const Joints& joints = model.joints;
+  std::array<std::array<Point, 2>, 2> u;
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (std::size_t end = 0; end < 2; ++end) {
+      const auto c = at(joint.corner[side][end]);
+      u[side][end] = {model.motion.ux[c], model.motion.uy[c]};
+    }
+  }
+  JointPoints points{joint_place(Point{joints.ex[at(j)], joints.ey[at(j)]}, u)};
+  for (std::size_t g = 0; g < 2; ++g) {
+    const Point apart = apart_at(points.place, g);
+    points.opening[g] = dot(apart, points.place.across);
+    points.slip[g] = dot(apart, points.place.along);
+    if (!joints.opening_start[g].empty()) {
+      points.opening[g] += joints.opening_start[g][at(j)];
+      points.slip[g] += joints.slip_start[g][at(j)];
+    }
+  }
+  return points;
+}
+
+JointPoints joint_points(const Model& model, const JointTable& table, Index j) {
+  const Joints& joints = model.joints;
+  JointPoints points = joint_openings(model, j);
+  material::JointConstants<double> c = table[at(joints.strength[at(j)])];
+  c.stiffness = joints.stiffness[at(j)];
+  if (!joints.factor.empty()) {
+    c.tensile *= joints.factor[at(j)];
+    c.cohesion *= joints.factor[at(j)];
+  }
+  for (std::size_t g = 0; g < 2; ++g) {
+    material::JointMemory<double> memory{joints.opening_peak[g][at(j)], joints.slip_peak[g][at(j)],
+                                         joints.damage[g][at(j)]};
+    points.traction[g] = material::softening_traction(c, points.opening[g], points.slip[g], memory);
+  }
+  return points;
+}
+
+}  // namespace percolith::mechanics

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/mechanics/joint.hpp"
+#include "percolith/mechanics/joint_forces.hpp"
+
+namespace percolith::mechanics {
+
+/// The state of a joint at its two integration points, for what looks at single joints.
+struct JointPoints {
+  JointPlace<double> place;
+  std::array<double, 2> opening{}, slip{};                    ///< m, in-situ start included
+  std::array<material::JointTraction<double>, 2> traction{};  ///< Pa; of the bond, 0 without one
+};
+
+/// Opening and slip of any joint, and the traction of its bond with the memory as it stands.
+[[nodiscard]] JointPoints joint_points(const Model& model, const JointTable& table, Index joint);
+
+/// Opening and slip alone.
+[[nodiscard]] JointPoints joint_openings(const Model& model, Index joint);
+
+}  // namespace percolith::mechanics

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/mechanics/solid_forces.hpp"
+
+namespace percolith::mechanics {
+
+/// What the motion of a step adds up, in the order of `LaneSums`.
+enum class Term : std::size_t {
+  kinetic,     ///< 1/2 m v- . v+, J/m
+  internal,    ///< works over the step, J/m: of the stress
+  viscous,     ///< of the viscous part of the stress
+  joint,       ///< of the joints
+  contact,     ///< of contact
+  load,        ///< of loads
+  gravity,     ///< of gravity
+  damping,     ///< of nodal viscosity and local damping
+  support,     ///< of supports
+  unbalanced,  ///< sum of |F| of corners that are free to move, N/m
+  stressing,   ///< sum of |F| of the stress alone, N/m
+  count
+};
+inline constexpr auto terms = static_cast<std::size_t>(Term::count);
+
+/// Forces on the corners of a triangle by their origin, N/m.
+template <class Real>
+struct ForcesByOrigin {
+  CornerVectors<Real> stress, viscous, joint, contact, load;
+  Real gravity;  ///< along y, negative, the same at each corner
+};
+
+/// What corners are moved by: views, and the lengths of the steps before and after.
+struct MotionLaw {
+  double damping_nodal = 0.0;  ///< mu of (2), kg/(m s)
+  double damping_local = 0.0;
+  double dt = 0.0;           ///< s
+  double dt_before = 0.0;    ///< s; 0 at the start
+  double dt_velocity = 0.0;  ///< s: from the middle of the last step to the middle of this
+
+  /// Force of the damping on a corner: local, against its velocity, a share of the unbalanced
+  /// force; and nodal viscosity, (1), (2), taken at the new velocity so that it is stable at any
+  /// step.
+  template <class Real>
+  PERCOLITH_DEVICE Real local_damping(Real force, Real velocity) const {
+    const Real share = Real(damping_local) * magnitude(force);
+    return select(velocity > Real(0.0), -share, select(velocity < Real(0.0), share, Real(0.0)));
+  }
+
+  /// New velocity, (3), of a corner of inverse mass `w` under `force`.
+  template <class Real>
+  PERCOLITH_DEVICE Vec2<Real> new_velocity(Vec2<Real> v, Vec2<Real> force, Real w) const {
+    const Real kick = Real(dt_velocity) * w;
+    const Vec2<Real> free = v + kick * force;
+    if (damping_nodal == 0.0) {
+      return free;
+    }
+    return (Real(1.0) / (Real(1.0) + Real(damping_nodal) * kick)) * free;
+  }
+
+  /// Path (m) over which the force of this moment works: half of the last step and half of the
+  /// next. Works by this path change 1/2 m v- . v+ exactly.
+  template <class Real>
+  PERCOLITH_DEVICE Vec2<Real> path(Vec2<Real> before, Vec2<Real> after) const {
+    return Real(0.5 * dt_before) * before + Real(0.5 * dt) * after;
+  }
+};
+
+[[nodiscard]] MotionLaw motion_law(const Model& model, double dt);
+
+/// Forces of contact: per corner, and the blocks where there are any; all empty without contact.
+struct ContactForces {
+  std::span<const double> x, y;
+  std::span<const std::uint8_t> acts;
+};
+
+/// Moves the triangles whose corners are all nodes of their own: forces, velocities, displacements
+/// and what they add up to, in one pass.
+struct Move {
+  static constexpr bool vectorised = true;
+
+  Move(Model& model, const ContactForces& contact, double dt);
+
+  template <class Lane>
+  PERCOLITH_DEVICE void operator()(Lane lane, LaneSums<terms>& sums) const {
+    using Real = typename Lane::Real;
+    const Index t = lane.first;
+    const Index first = mesh::corner_of(t, 0);
+    const CornerVectors<Real> u = load_corners<Lane>(ux, uy, first);
+    const CornerVectors<Real> v = load_corners<Lane>(vx, vy, first);
+    ForcesByOrigin<Real> f = forces<Lane>(t, first, u, v);
+    const Real w = Lane::load(inverse_mass + t);
+    CornerVectors<Real> moved;
+    CornerVectors<Real> fast;
+    for (std::size_t k = 0; k < 3; ++k) {
+      Vec2<Real> total = (f.stress[k] + f.joint[k]) + (f.contact[k] + f.load[k]);
+      total.y += f.gravity;
+      fast[k] =
+          move_corner(lane, first + static_cast<Index>(k) * block_width, total, v[k], w, sums);
+      moved[k] = u[k] + Real(law.dt) * fast[k];
+    }
+    store_corners<Lane>(fast, vx, vy, first);
+    store_corners<Lane>(moved, ux, uy, first);
+    book(lane, f, v, fast, w, sums);
+  }
+
+  template <class Lane>
+  PERCOLITH_DEVICE ForcesByOrigin<typename Lane::Real>
+  forces(Index t, Index first, const CornerVectors<typename Lane::Real>& u,
+         const CornerVectors<typename Lane::Real>& v) const {
+    ForcesByOrigin<typename Lane::Real> f = outside_forces<Lane>(t, first);
+    f.stress = solid.of_stress<Lane>(t, u, v, f.viscous);
+    f.joint = solid.of_joints<Lane>(first);
+    return f;
+  }
+
+  /// Contact, loads and gravity alone.
+  template <class Lane>
+  PERCOLITH_DEVICE ForcesByOrigin<typename Lane::Real> outside_forces(Index t, Index first) const {
+    using Real = typename Lane::Real;
+    ForcesByOrigin<Real> f{};
+    if (contact_acts != nullptr && contact_acts[t / block_width] != 0) {
+      f.contact = load_corners<Lane>(contact_x, contact_y, first);
+    }
+    if (load_acts[t / block_width] != 0) {
+      f.load = load_corners<Lane>(load_x, load_y, first);
+    }
+    f.gravity = weight != nullptr ? -Lane::load(weight + t) : Real(0.0);
+    return f;
+  }
+
+  /// Adds energies and works of a triangle that went from velocities `v` to `fast`.
+  template <class Lane>
+  PERCOLITH_DEVICE void book(Lane lane, const ForcesByOrigin<typename Lane::Real>& f,
+                             const CornerVectors<typename Lane::Real>& v,
+                             const CornerVectors<typename Lane::Real>& fast, typename Lane::Real w,
+                             LaneSums<terms>& sums) const {
+    using Real = typename Lane::Real;
+    const CornerVectors<Real> path{law.path(v[0], fast[0]), law.path(v[1], fast[1]),
+                                   law.path(v[2], fast[2])};
+    const auto work = [&](const CornerVectors<Real>& force) {
+      return (dot(force[0], path[0]) + dot(force[1], path[1])) + dot(force[2], path[2]);
+    };
+    const auto add = [&](Term term, Real value) {
+      sums.add(static_cast<std::size_t>(term), lane, value);
+    };
+    const Real mass = select(w > Real(0.0), Real(1.0) / w, Real(0.0));
+    add(Term::kinetic,
+        Real(0.5) * mass * ((dot(v[0], fast[0]) + dot(v[1], fast[1])) + dot(v[2], fast[2])));
+    add(Term::internal, work(f.stress));
+    add(Term::joint, work(f.joint));
+    if (solid.is_viscous()) {
+      add(Term::viscous, work(f.viscous));
+    }
+    if (contact_acts != nullptr && contact_acts[lane.first / block_width] != 0) {
+      add(Term::contact, work(f.contact));
+    }
+    if (load_acts[lane.first / block_width] != 0) {
+      add(Term::load, work(f.load));
+    }
+    if (weight != nullptr) {
+      add(Term::gravity, f.gravity * ((path[0].y + path[1].y) + path[2].y));
+    }
+    const auto size = [](const Vec2<Real>& a) { return magnitude(a.x) + magnitude(a.y); };
+    add(Term::stressing, (size(f.stress[0]) + size(f.stress[1])) + size(f.stress[2]));
+    const Real fastest =
+        larger(larger(dot(fast[0], fast[0]), dot(fast[1], fast[1])), dot(fast[2], fast[2]));
+    sums.raise(lane, fastest);
+  }
+
+  /// New velocity of the corners in `slot` of inverse mass `w` under the forces `total`; books
+  /// damping, supports and the unbalanced force.
+  template <class Lane>
+  PERCOLITH_DEVICE Vec2<typename Lane::Real>
+  move_corner(Lane lane, Index slot, Vec2<typename Lane::Real> total, Vec2<typename Lane::Real> v,
+              typename Lane::Real w, LaneSums<terms>& sums) const {
+    using Real = typename Lane::Real;
+    Vec2<Real> drag{Real(0.0), Real(0.0)};
+    if (law.damping_local != 0.0) {
+      drag = {law.local_damping(total.x, v.x), law.local_damping(total.y, v.y)};
+    }
+    const Vec2<Real> free = law.new_velocity(v, total + drag, w);
+    const Index record = constrained[slot / mesh::corners_per_block];
+    const bool held = record != mesh::none;
+    const Vec2<Real> result = held ? hold<Lane>(record, slot, free, v, w, total, lane, sums) : free;
+    if (!held) {
+      sums.add(static_cast<std::size_t>(Term::unbalanced), lane,
+               magnitude(total.x) + magnitude(total.y));
+    }
+    if (law.damping_local != 0.0 || law.damping_nodal != 0.0) {
+      if (law.damping_nodal != 0.0) {
+        drag = drag - Real(law.damping_nodal) * result;
+      }
+      sums.add(static_cast<std::size_t>(Term::damping), lane, dot(drag, law.path(v, result)));
+    }
+    return result;
+  }
+
+  /// Projects a velocity as the supports of a record say, and keeps their forces.
+  template <class Lane>
+  PERCOLITH_DEVICE Vec2<typename Lane::Real>
+  hold(Index record, Index slot, Vec2<typename Lane::Real> free, Vec2<typename Lane::Real> v,
+       typename Lane::Real w, Vec2<typename Lane::Real> total, Lane lane,
+       LaneSums<terms>& sums) const {
+    using Real = typename Lane::Real;
+    const Index place = record * mesh::corners_per_block + slot % mesh::corners_per_block;
+    const Real xx = Lane::load(pxx + place);
+    const Real xy = Lane::load(pxy + place);
+    const Real yy = Lane::load(pyy + place);
+    const Vec2<Real> result{xx * free.x + xy * free.y + Lane::load(wx + place),
+                            xy * free.x + yy * free.y + Lane::load(wy + place)};
+    // Where nothing is moved nothing is needed, and a removed triangle has no mass.
+    const Real kick = Real(law.dt_velocity) * w;
+    const Real mass = select(kick > Real(0.0), Real(1.0) / kick, Real(0.0));
+    const Real thick = Real(1.0) + Real(law.damping_nodal) * kick;
+    const Vec2<Real> support = mass * thick * (result - free);
+    Lane::store(rx + place, support.x);
+    Lane::store(ry + place, support.y);
+    sums.add(static_cast<std::size_t>(Term::support), lane, dot(support, law.path(v, result)));
+    const Vec2<Real> left{xx * total.x + xy * total.y, xy * total.x + yy * total.y};
+    sums.add(static_cast<std::size_t>(Term::unbalanced), lane,
+             magnitude(left.x) + magnitude(left.y));
+    return result;
+  }
+
+  /// Takes back the reaction noted at a corner, where the block of the corner has supports.
+  PERCOLITH_DEVICE void clear_reaction(Index corner) const {
+    const Index record = constrained[corner / mesh::corners_per_block];
+    if (record != mesh::none) {
+      const Index place = record * mesh::corners_per_block + corner % mesh::corners_per_block;
+      rx[place] = 0.0;
+      ry[place] = 0.0;
+    }
+  }
+
+  SolidForces solid;
+  MotionLaw law;
+  double* ux;
+  double* uy;
+  double* vx;
+  double* vy;
+  const double* inverse_mass;
+  const double* weight;
+  const double* contact_x;
+  const double* contact_y;
+  const std::uint8_t* contact_acts;
+  const double* load_x;
+  const double* load_y;
+  const std::uint8_t* load_acts;
+  const Index* constrained;
+  const double* pxx;
+  const double* pxy;
+  const double* pyy;
+  const double* wx;
+  const double* wy;
+  double* rx;
+  double* ry;
+};
+
+}  // namespace percolith::mechanics

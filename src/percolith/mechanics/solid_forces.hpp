@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/mechanics/model.hpp"
+#include "percolith/mechanics/triangle.hpp"
+
+namespace percolith::mechanics {
+
+/// Vectors at the three corners of a triangle.
+template <class Real>
+using CornerVectors = std::array<Vec2<Real>, 3>;
+
+/// Loads x and y at the three corners of the lane's triangles; views have an entry a corner slot.
+template <class Lane>
+PERCOLITH_DEVICE CornerVectors<typename Lane::Real> load_corners(const double* x, const double* y,
+                                                                 Index first) {
+  CornerVectors<typename Lane::Real> v;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Index slot = first + static_cast<Index>(k) * block_width;
+    v[k] = {Lane::load(x + slot), Lane::load(y + slot)};
+  }
+  return v;
+}
+
+template <class Lane>
+PERCOLITH_DEVICE void store_corners(const CornerVectors<typename Lane::Real>& v, double* x,
+                                    double* y, Index first) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Index slot = first + static_cast<Index>(k) * block_width;
+    Lane::store(x + slot, v[k].x);
+    Lane::store(y + slot, v[k].y);
+  }
+}
+
+/// What a triangle makes of its own motion and gathers from the joints at its edges: the internal
+/// forces of its corners.
+struct SolidForces {
+  explicit SolidForces(const Model& model);
+  [[nodiscard]] PERCOLITH_DEVICE bool is_viscous() const { return viscosity != nullptr; }
+
+  /// Forces of the stress, viscous stress included; `viscous` gets the forces of the viscous part
+  /// and is left alone where nothing is viscous.
+  template <class Lane>
+  PERCOLITH_DEVICE CornerVectors<typename Lane::Real>
+  of_stress(Index t, const CornerVectors<typename Lane::Real>& u,
+            const CornerVectors<typename Lane::Real>& v,
+            CornerVectors<typename Lane::Real>& viscous) const {
+    using Real = typename Lane::Real;
+    // Padding has edges too, so that its area is not zero.
+    const TriangleShape<Real> shape =
+        triangle_shape(Vec2<Real>{Lane::load(ax + t), Lane::load(ay + t)},
+                       Vec2<Real>{Lane::load(bx + t), Lane::load(by + t)});
+    const Gradient<Real> h = gradient_of(shape, u[1] - u[0], u[2] - u[0]);
+    SymmetricTensor2<Real> stress = material::stress_of(stiffness<Lane>(t), green_strain(h));
+    if (initial_xx != nullptr) {
+      stress.xx += Lane::load(initial_xx + t);
+      stress.yy += Lane::load(initial_yy + t);
+      stress.xy += Lane::load(initial_xy + t);
+    }
+    if (viscosity != nullptr) {
+      const Gradient<Real> rate = gradient_of(shape, v[1] - v[0], v[2] - v[0]);
+      const SymmetricTensor2<Real> d = green_strain_rate(h, rate);
+      const Real twice = Real(2.0) * Lane::load(viscosity + t);
+      const SymmetricTensor2<Real> drag{twice * d.xx, twice * d.yy, twice * d.xy};
+      viscous = corner_forces(shape, h, drag);
+      stress.xx += drag.xx;
+      stress.yy += drag.yy;
+      stress.xy += drag.xy;
+    }
+    return corner_forces(shape, h, stress);
+  }
+
+  /// Forces of the joints at the three edges.
+  template <class Lane>
+  PERCOLITH_DEVICE CornerVectors<typename Lane::Real> of_joints(Index first) const {
+    using Real = typename Lane::Real;
+    std::array<Vec2<Real>, 3> start;
+    std::array<Vec2<Real>, 3> end;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index* code = edge_joint + first + static_cast<Index>(k) * block_width;
+      start[k] = {Lane::gather_signed(force, code, 0, other_end),
+                  Lane::gather_signed(force + block_width, code, 0, other_end)};
+      end[k] = {Lane::gather_signed(force, code, other_end, other_end),
+                Lane::gather_signed(force + block_width, code, other_end, other_end)};
+    }
+    return {start[0] + end[2], start[1] + end[0], start[2] + end[1]};
+  }
+
+private:
+  template <class Lane>
+  PERCOLITH_DEVICE material::PlaneStiffness<typename Lane::Real> stiffness(Index t) const {
+    using Real = typename Lane::Real;
+    if (uniform[t / block_width] != 0) {
+      const material::PlaneStiffness<double>& d = material[material_of[t]].stiffness;
+      return {Real(d.xx_xx), Real(d.xx_yy), Real(d.yy_yy),
+              Real(d.xx_xy), Real(d.yy_xy), Real(d.xy_xy)};
+    }
+    using Stiffness = material::PlaneStiffness<double>;
+    const auto pick = [&](double Stiffness::*member) {
+      return Lane::generate(
+          [&](Index i) { return material[material_of[t + i]].stiffness.*member; });
+    };
+    return {pick(&Stiffness::xx_xx), pick(&Stiffness::xx_yy), pick(&Stiffness::yy_yy),
+            pick(&Stiffness::xx_xy), pick(&Stiffness::yy_xy), pick(&Stiffness::xy_xy)};
+  }
+
+  const double* ax;
+  const double* ay;
+  const double* bx;
+  const double* by;
+  const double* initial_xx;
+  const double* initial_yy;
+  const double* initial_xy;
+  const double* viscosity;
+  const Index* material_of;
+  const std::uint8_t* uniform;
+  const SolidMaterial* material;
+  const Index* edge_joint;
+  const double* force;
+};
+
+}  // namespace percolith::mechanics

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/core/error.hpp"
+#include "percolith/simulation/mesh_report.hpp"
+#include "percolith/simulation/solid_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace percolith::simulation {
+namespace {
+
+using mechanics::JointState;
+using mesh::Index;
+
+Point centre_of(const mesh::Mesh& mesh, Index t) {
+  const auto p = mesh.triangle_points(t);
+  return (1.0 / 3.0) * (p[0] + p[1] + p[2]);
+}
+
+/// The bonded joint whose elements are largest against its cohesive length E' G_I/f_t^2.
+struct Resolution {
+  double ratio = std::numeric_limits<double>::infinity();  ///< cohesive length over element size
+  double length = 0.0;                                     ///< m
+  double size = 0.0;                                       ///< m
+  Index joint = mesh::none;
+};
+
+Resolution coarsest(const mechanics::Model& model) {
+  Resolution worst;
+  for (Index j = 0; j < model.mesh.joints(); ++j) {
+    if (model.joints.state[at(j)] != JointState::bonded) {
+      continue;
+    }
+    const auto& strength = model.kind[at(model.joints.strength[at(j)])].strength;
+    const Index t = mesh::triangle_of(model.mesh.joint[at(j)].corner[0][0]);
+    const auto& rock = model.material[at(model.triangles.material[at(t)])].rock;
+    const double length = material::plane_modulus(rock, model.plane) * strength.mode_1_energy /
+                          (strength.tensile_strength * strength.tensile_strength);
+    const double ratio = length / model.joints.size[at(j)];
+    if (ratio < worst.ratio) {
+      worst = {ratio, length, model.joints.size[at(j)], j};
+    }
+  }
+  return worst;
+}
+
+/// E of a body with joints on every edge over that of its triangles: 1/E_a = 1/E' + 1.73/p_f.
+double apparent_share(const mechanics::Model& model) {
+  double least = 1.0;
+  for (Index j = 0; j < model.mesh.joints(); ++j) {
+    if (model.joints.state[at(j)] == JointState::bonded) {
+      const Index t = mesh::triangle_of(model.mesh.joint[at(j)].corner[0][0]);
+      const auto& rock = model.material[at(model.triangles.material[at(t)])].rock;
+      const double penalty = model.joints.full_stiffness[at(j)] * model.joints.size[at(j)];
+      const double share =
+          1.0 / (1.0 + 1.73 * material::plane_modulus(rock, model.plane) / penalty);
+      least = std::min(least, share);
+    }
+  }
+  return least;
+}
+
+std::int64_t count_state(const mechanics::Model& model, JointState state) {
+  const auto begin = model.joints.state.begin();
+  return std::count(begin, begin + model.mesh.joints(), state);
+}
+
+}  // namespace
+
+std::vector<std::string> solid_warnings(const SolidRun& run) {
+  std::vector<std::string> warnings = run.probes.warnings;
+  const mechanics::Model& model = run.dynamics.model();
+  const Resolution worst = coarsest(model);
+  if (worst.joint != mesh::none && worst.ratio < 3.0) {
+    const Point p = model.mesh.vertex[at(model.mesh.joint[at(worst.joint)].vertex[0])];
+    warnings.push_back(fmt::format(
+        "elements of {:.3g} m at ({:g}, {:g}) do not resolve the cohesive length E' G_I/f_t^2 = "
+        "{:.3g} m, a third of which they should not exceed: strength rather than fracture energy "
+        "rules there, and results depend on the mesh",
+        worst.size, p.x, p.y, worst.length));
+  }
+  if (run.added_mass > 0.1) {
+    warnings.push_back(fmt::format("time.mass_scaling_step adds {:.3g} times the mass of the rock: "
+                                   "only states of rest keep their meaning",
+                                   run.added_mass));
+  }
+  if (run.setup.boundary.empty() && run.setup.body.empty() && run.setup.point_force.empty() &&
+      run.setup.model.gravity == 0.0 && run.setup.excavation.empty()) {
+    warnings.push_back("the case has no boundary, body, point_force or excavation table and no "
+                       "gravity: nothing will move");
+  }
+  return warnings;
+}
+
+double solid_step(const SolidRun& run) {
+  if (run.limits.empty()) {
+    return run.setup.time.end;
+  }
+  const mechanics::MotionLimit& all = run.limits.back();
+  const double stable = run.setup.time.safety * all.step;
+  if (run.setup.time.step && *run.setup.time.step > all.step) {
+    const Point p = centre_of(run.dynamics.model().mesh, all.triangle);
+    throw InputError(
+        {{},
+         "time.step",
+         fmt::format("{:g} s", *run.setup.time.step),
+         fmt::format("unstable: longer than the stable step of {:.4g} s, which {} rule "
+                     "at ({:g}, {:g})",
+                     all.step, run.limits.front().mechanism, p.x, p.y),
+         fmt::format("at most {:.4g} s, or leave it out", all.step)});
+  }
+  return std::min(stable, run.setup.time.step.value_or(stable));
+}
+
+CheckReport solid_check(const SolidRun& run) {
+  CheckReport report;
+  const mechanics::Model& model = run.dynamics.model();
+  report.warnings = run.summary.warnings;
+  describe_mesh(model.mesh, report);
+  report.broken_joints = count_state(model, JointState::closed);
+  Index number = static_cast<Index>(run.setup.material.size());
+  for (const std::string& name : run.fracture_names) {
+    for (Index j = 0; j < model.mesh.joints(); ++j) {
+      if (model.joints.strength[at(j)] == number) {
+        report.fracture_length += model.mesh.joint_length(j);
+        report.fracture_length_by_group[name] += model.mesh.joint_length(j);
+      }
+    }
+    ++number;
+  }
+  for (const mechanics::MotionLimit& limit : run.limits) {
+    report.limits.push_back({limit.mechanism, limit.step, centre_of(model.mesh, limit.triangle)});
+  }
+  report.mechanics = {
+      {"bodies", static_cast<double>(mechanics::find_fragments(model).area.size())},
+      {"bonded joints", static_cast<double>(count_state(model, JointState::bonded))},
+      {"broken joints", static_cast<double>(count_state(model, JointState::closed))},
+      {"tied joints", static_cast<double>(count_state(model, JointState::tied))}};
+  const Resolution worst = coarsest(model);
+  if (worst.joint != mesh::none) {
+    report.mechanics.emplace_back("smallest cohesive length over element size", worst.ratio);
+    report.mechanics.emplace_back("stiffness with joints over that of the rock",
+                                  apparent_share(model));
+  }
+  if (run.setup.time.mass_scaling_step) {
+    report.mechanics.emplace_back("added mass over mass", run.added_mass);
+  }
+  return report;
+}
+
+}  // namespace percolith::simulation

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/simulation/solid_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace percolith::simulation {
+namespace {
+
+using mesh::Index;
+
+/// Largest share of the work done on the rock, and of the energy it had, that no term accounts for.
+double energy_error(const mechanics::EnergyBalance& b) {
+  const double scale = std::max({std::abs(b.external), std::abs(b.gravity), b.kinetic, b.elastic,
+                                 b.joint, b.fracture + b.friction + b.damping + b.absorbed});
+  return scale > 0.0 ? std::abs(b.residual) / scale : 0.0;
+}
+
+void add_energies(const mechanics::EnergyBalance& b, std::vector<NamedValue>& values) {
+  values.insert(values.end(), {{"kinetic_J_per_m", b.kinetic},
+                               {"elastic_J_per_m", b.elastic},
+                               {"joint_J_per_m", b.joint},
+                               {"fracture_J_per_m", b.fracture},
+                               {"contact_J_per_m", b.contact},
+                               {"friction_J_per_m", b.friction},
+                               {"damping_J_per_m", b.damping},
+                               {"absorbed_J_per_m", b.absorbed},
+                               {"gravity_J_per_m", b.gravity},
+                               {"external_work_J_per_m", b.external},
+                               {"residual_J_per_m", b.residual}});
+}
+
+void add_supports(const mechanics::Dynamics& dynamics, std::vector<NamedValue>& values) {
+  const mechanics::SupportSet& supports = dynamics.supports();
+  const auto reaction = supports.reactions(dynamics.model());
+  const auto displacement = supports.displacements(dynamics.model());
+  for (std::size_t i = 0; i < supports.tables().size(); ++i) {
+    const std::string& name = supports.tables()[i];
+    values.insert(values.end(), {{name + ".reaction_x_N_per_m", reaction[i].x},
+                                 {name + ".reaction_y_N_per_m", reaction[i].y},
+                                 {name + ".displacement_x_m", displacement[i].x},
+                                 {name + ".displacement_y_m", displacement[i].y}});
+  }
+}
+
+}  // namespace
+
+HistoryRow solid_history_row(SolidRun& run, double step_size) {
+  if (run.fragments_stale) {
+    run.fragments = mechanics::find_fragments(run.dynamics.model());
+    run.fragments_stale = false;
+  }
+  run.deepest_overlap = std::max(run.deepest_overlap, run.dynamics.contact().deepest());
+  HistoryRow row;
+  row.time = run.dynamics.model().motion.time;
+  row.step = run.summary.steps;
+  row.step_size = step_size;
+  add_energies(run.dynamics.energy(run.execution), row.mechanics);
+  row.mechanics.insert(row.mechanics.end(),
+                       {{"broken_joints", static_cast<double>(run.broken.count)},
+                        {"fragments", static_cast<double>(run.fragments.area.size())},
+                        {"unbalanced_ratio", run.dynamics.unbalanced_ratio()}});
+  add_supports(run.dynamics, row.mechanics);
+  return row;
+}
+
+double b_value(std::span<const double> magnitudes) {
+  constexpr std::size_t fewest = 20;
+  constexpr double bin = 0.1;
+  std::map<std::int64_t, std::size_t> bins;
+  std::size_t finite = 0;
+  for (const double m : magnitudes) {
+    if (std::isfinite(m)) {
+      ++bins[std::llround(m / bin)];
+      ++finite;
+    }
+  }
+  if (finite < fewest) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const auto fullest = std::max_element(
+      bins.begin(), bins.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const double least = bin * static_cast<double>(fullest->first);
+  double sum = 0.0;
+  double count = 0.0;
+  for (const auto& [number, events] : bins) {
+    if (number >= fullest->first) {
+      sum += bin * static_cast<double>(number) * static_cast<double>(events);
+      count += static_cast<double>(events);
+    }
+  }
+  return std::log10(std::exp(1.0)) / (sum / count - least + 0.5 * bin);
+}
+
+Summary solid_summary(const SolidRun& run) {
+  Summary summary = run.summary;
+  const mechanics::Dynamics& dynamics = run.dynamics;
+  summary.end_time = dynamics.model().motion.time;
+  summary.wall_time = run.execution.wall_time();
+  StateHash hash;
+  dynamics.add_to(hash);
+  summary.state_hash = hash.text();
+  const mechanics::EnergyBalance balance = dynamics.energy(run.execution);
+  add_energies(balance, summary.mechanics);
+  const mechanics::Fragments fragments = mechanics::find_fragments(dynamics.model());
+  const double largest = fragments.area.empty()
+                             ? 0.0
+                             : *std::max_element(fragments.area.begin(), fragments.area.end());
+  const double area = std::accumulate(fragments.area.begin(), fragments.area.end(), 0.0);
+  summary.mechanics.insert(
+      summary.mechanics.end(),
+      {{"energy_error", energy_error(balance)},
+       {"broken_joints", static_cast<double>(run.broken.count)},
+       {"closed_joints", static_cast<double>(dynamics.model().closed.size())},
+       {"fragments", static_cast<double>(fragments.area.size())},
+       {"fragment_area_m2", area},
+       {"largest_fragment_area_m2", largest},
+       {"deepest_overlap_m", std::max(run.deepest_overlap, dynamics.contact().deepest())},
+       {"unbalanced_ratio", dynamics.unbalanced_ratio()},
+       {"added_mass_share", run.added_mass}});
+  const double b = b_value(run.broken.magnitude);
+  if (std::isfinite(b)) {
+    summary.mechanics.emplace_back("b_value", b);
+  }
+  return summary;
+}
+
+std::vector<BreakEvent> note_events(SolidRun& run, const mechanics::Changes& changes,
+                                    std::int64_t step) {
+  std::vector<BreakEvent> events;
+  const mechanics::Model& model = run.dynamics.model();
+  for (const mechanics::Breakage& b : changes.broke) {
+    const auto& ends = model.mesh.joint[at(b.joint)].vertex;
+    BreakEvent event;
+    event.time = b.time;
+    event.step = step;
+    event.place = 0.5 * (model.mesh.vertex[at(ends[0])] + model.mesh.vertex[at(ends[1])]);
+    event.mode = static_cast<BreakMode>(b.mode);
+    event.length = b.length;
+    event.released_energy = b.released;
+    event.magnitude = 2.0 / 3.0 * (std::log10(b.released) - 4.8);
+    event.material = run.kind_names[at(model.kind[at(model.joints.strength[at(b.joint)])].owner)];
+    run.broken.mode[at(b.joint)] = static_cast<std::int32_t>(b.mode);
+    run.broken.time[at(b.joint)] = b.time;
+    run.broken.released[at(b.joint)] = b.released;
+    run.broken.magnitude.push_back(event.magnitude);
+    ++run.broken.count;
+    events.push_back(std::move(event));
+  }
+  run.fragments_stale = run.fragments_stale || changes.any();
+  return events;
+}
+
+}  // namespace percolith::simulation

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/core/error.hpp"
+#include "percolith/simulation/build_model.hpp"
+#include "percolith/simulation/event_clock.hpp"
+#include "percolith/simulation/groups.hpp"
+#include "percolith/simulation/solid_run.hpp"
+#include "percolith/simulation/task.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace percolith::simulation {
+namespace {
+
+using mesh::Index;
+
+/// A value that is not a number spreads; looking for it every so many steps finds it soon enough.
+constexpr std::int64_t steps_between_checks = 200;
+/// The unbalanced force swings while waves pass: rest is where it is small this often in a row.
+constexpr int checks_at_rest = 3;
+
+SolidRun make_run(const Setup& setup, const mesh::GmshMesh& mesh) {
+  require_sensible_intervals(setup);
+  SolidStart start = build_solid(setup, mesh);
+  const mechanics::Model& model = start.dynamics.model();
+  ProbePlaces probes = locate_probes(setup.probe, model.mesh, {});
+  std::vector<mechanics::MotionLimit> limits =
+      mechanics::step_limits(model, start.dynamics.contact_penalty());
+  const auto joints = model.mesh.joint.size();
+  SolidRun run{.setup = setup,
+               .dynamics = std::move(start.dynamics),
+               .execution = Execution(Backend::host, omp_get_max_threads()),
+               .probes = std::move(probes),
+               .fracture_names = fracture_table_names(setup),
+               .kind_names = joint_kind_names(setup),
+               .limits = std::move(limits),
+               .added_mass = start.added_mass,
+               .broken = {std::vector<std::int32_t>(joints, 0),
+                          std::vector<double>(joints, 0.0),
+                          std::vector<double>(joints, 0.0),
+                          {}},
+               .fragments = {},
+               .summary = {}};
+  run.summary.warnings = solid_warnings(run);
+  return run;
+}
+
+/// Triangles of the regions of an excavation.
+std::vector<Index> triangles_of(const mesh::Mesh& mesh, const std::string& name,
+                                const Excavation& excavation) {
+  const std::vector<Index> regions =
+      find_regions(mesh, excavation.regions, "excavation." + name + ".regions");
+  std::vector<Index> triangles;
+  for (Index t = 0; t < mesh.triangles(); ++t) {
+    if (std::find(regions.begin(), regions.end(), mesh.region[at(t)]) != regions.end()) {
+      triangles.push_back(t);
+    }
+  }
+  return triangles;
+}
+
+/// An excavation that is still to come.
+struct Digging {
+  double start = 0.0;
+  double duration = 0.0;
+  std::vector<Index> triangles;
+};
+
+[[noreturn]] void refuse_state(const SolidRun& run) {
+  const mechanics::Model& model = run.dynamics.model();
+  for (Index t = 0; t < model.mesh.triangles(); ++t) {
+    for (Index k = 0; k < 3; ++k) {
+      const Index c = mesh::corner_of(t, k);
+      if (!std::isfinite(model.motion.ux[at(c)]) || !std::isfinite(model.motion.vx[at(c)]) ||
+          !std::isfinite(model.motion.uy[at(c)]) || !std::isfinite(model.motion.vy[at(c)])) {
+        const Point p = model.mesh.place_of(c);
+        throw SolverError(fmt::format(
+            "the motion at ({:.6g}, {:.6g}) is not a number at time {:.9g} s (step {}); the "
+            "results up to the last output are kept. Look for extreme loads or contradictory "
+            "materials near that place, or lower time.safety",
+            p.x, p.y, model.motion.time, run.summary.steps));
+      }
+    }
+  }
+  throw SolverError(
+      fmt::format("the kinetic energy is not a number at time {:.9g} s (step {}); the "
+                  "results up to the last output are kept. Lower time.safety",
+                  model.motion.time, run.summary.steps));
+}
+
+class SolidTask : public Task {
+public:
+  SolidTask(const Setup& setup, const mesh::GmshMesh& mesh) : run_(make_run(setup, mesh)) {
+    step_ = solid_step(run_);
+    for (const auto& [name, excavation] : setup.excavation) {
+      diggings_.push_back({excavation.start, excavation.duration,
+                           triangles_of(run_.dynamics.model().mesh, name, excavation)});
+      quiet_after_ = std::max(quiet_after_, excavation.start + excavation.duration);
+    }
+    std::stable_sort(diggings_.begin(), diggings_.end(),
+                     [](const Digging& a, const Digging& b) { return a.start < b.start; });
+  }
+
+  [[nodiscard]] CheckReport check() const override { return solid_check(run_); }
+  bool run(Observer& observer, const std::function<bool()>& stop) override;
+  [[nodiscard]] Summary summary() const override { return solid_summary(run_); }
+  [[nodiscard]] const std::vector<std::string>& region_names() const override {
+    return run_.dynamics.model().mesh.region_names;
+  }
+  [[nodiscard]] const std::vector<std::string>& fracture_names() const override {
+    return run_.fracture_names;
+  }
+
+private:
+  [[nodiscard]] double time() const { return run_.dynamics.model().motion.time; }
+  [[nodiscard]] double next_event(double output) const;
+  void dig();
+  double make_step(double event, Observer& observer);
+  bool is_at_rest();
+  void report_frame(Observer& observer);
+  void report_history(double step_size, Observer& observer);
+
+  SolidRun run_;
+  double step_ = 0.0;
+  std::vector<Digging> diggings_;  // that are still to come, by time
+  double quiet_after_ = 0.0;       // s: no load changes later
+  int calm_checks_ = 0;
+};
+
+double SolidTask::next_event(double output) const {
+  const double now = time();
+  double event = std::min(
+      {output, run_.dynamics.loads().next_break(now), run_.dynamics.supports().next_break(now)});
+  if (!diggings_.empty()) {
+    event = std::min(event, diggings_.front().start);
+  }
+  return event;
+}
+
+void SolidTask::dig() {
+  while (!diggings_.empty() && diggings_.front().start <= time()) {
+    run_.dynamics.take_out(diggings_.front().triangles, diggings_.front().duration);
+    diggings_.erase(diggings_.begin());
+    run_.fragments_stale = true;
+  }
+}
+
+double SolidTask::make_step(double event, Observer& observer) {
+  // Steps of equal length reach the event: changes of the step cost accuracy.
+  const double way = event - time();
+  const double steps = std::max(1.0, std::ceil(way / step_ * (1.0 - 1e-9)));
+  const double dt = way / steps;
+  const mechanics::Changes changes = run_.dynamics.advance(dt, run_.execution);
+  if (steps == 1.0) {
+    run_.dynamics.model().motion.time = event;
+  }
+  ++run_.summary.steps;
+  if (changes.any()) {
+    observer.on_events(note_events(run_, changes, run_.summary.steps));
+  }
+  return dt;
+}
+
+bool SolidTask::is_at_rest() {
+  if (!run_.setup.time.stop_ratio || time() <= quiet_after_ ||
+      run_.dynamics.loads().next_break(time()) < run_.setup.time.end ||
+      run_.dynamics.supports().next_break(time()) < run_.setup.time.end) {
+    return false;
+  }
+  const bool calm = run_.dynamics.unbalanced_ratio() < *run_.setup.time.stop_ratio;
+  calm_checks_ = calm ? calm_checks_ + 1 : 0;
+  return calm_checks_ >= checks_at_rest;
+}
+
+void SolidTask::report_frame(Observer& observer) {
+  const auto start = std::chrono::steady_clock::now();
+  if (run_.setup.output.fields) {
+    observer.on_frame(
+        {time(), run_.summary.steps, solid_matrix_frame(run_), solid_crack_frame(run_)});
+  }
+  observer.on_probes(time(), read_solid_probes(run_));
+  run_.execution.book("output", start);
+}
+
+void SolidTask::report_history(double step_size, Observer& observer) {
+  const auto start = std::chrono::steady_clock::now();
+  run_.summary.last = solid_history_row(run_, step_size);
+  observer.on_history(run_.summary.last);
+  run_.execution.book("output", start);
+}
+
+bool SolidTask::run(Observer& observer, const std::function<bool()>& stop) {
+  for (const std::string& warning : run_.summary.warnings) {
+    observer.on_warning(warning);
+  }
+  observer.on_events({});
+  const double end = run_.setup.time.end;
+  const EventClock clock(run_.setup.output, end);
+  HistoryClock history(run_.setup.output.history_interval.value_or(end / 1000.0));
+  report_history(0.0, observer);
+  static_cast<void>(history.due(0.0));
+  report_frame(observer);
+  bool stopped = false;
+  const char* limited_by = run_.limits.empty() ? "" : run_.limits.front().mechanism.c_str();
+  while (time() < end && !stopped && !run_.summary.reached_rest) {
+    dig();
+    const double output = clock.next_output(time());
+    const double event = next_event(output);
+    const double dt = make_step(event, observer);
+    stopped = stop();
+    const bool check = run_.summary.steps % steps_between_checks == 0;
+    run_.summary.reached_rest = check && is_at_rest();
+    const bool at_output = clock.reaches(time(), output) || stopped || run_.summary.reached_rest;
+    if ((check || at_output) && !std::isfinite(run_.dynamics.model().energy.kinetic)) {
+      refuse_state(run_);
+    }
+    if (history.due(time()) || at_output) {
+      report_history(dt, observer);
+    }
+    if (at_output) {
+      report_frame(observer);
+    }
+    observer.on_progress({time(), end, dt, run_.summary.steps, 0, limited_by, run_.broken.count});
+  }
+  return time() >= end || run_.summary.reached_rest;
+}
+
+}  // namespace
+
+std::unique_ptr<Task> make_solid_task(const Setup& setup, const mesh::GmshMesh& mesh) {
+  return std::make_unique<SolidTask>(setup, mesh);
+}
+
+}  // namespace percolith::simulation

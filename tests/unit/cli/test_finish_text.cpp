@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/cli/derived_values.hpp"
+#include "percolith/cli/finish_text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace percolith::cli {
+namespace {
+
+simulation::Summary summary() {
+  simulation::Summary summary;
+  summary.end_time = 0.25;
+  summary.steps = 1200;
+  summary.last.balance.relative_error = 3e-15;
+  return summary;
+}
+
+TEST(FinishText, TellsTheErrorOfTheMassBalance) {
+  EXPECT_EQ(finish_text(summary(), false, "a.results"),
+            "finished at time 0.25 s after 1200 steps, mass balance error 3.0e-15; results in "
+            "a.results");
+  EXPECT_EQ(finish_text(summary(), true, "a.results"),
+            "finished the steady state, mass balance error 3.0e-15; results in a.results");
+}
+
+TEST(FinishText, TellsTheErrorOfTheEnergyBalanceInMechanics) {
+  simulation::Summary mechanics = summary();
+  mechanics.mechanics = {{"fragments", 3}, {"energy_error", 2e-5}};
+  EXPECT_EQ(finish_text(mechanics, false, "a.results"),
+            "finished at time 0.25 s after 1200 steps, energy balance error 2.0e-05; results in "
+            "a.results");
+  mechanics.reached_rest = true;
+  mechanics.mechanics.pop_back();
+  EXPECT_EQ(finish_text(mechanics, false, "a.results"),
+            "finished at time 0.25 s after 1200 steps, at rest; results in a.results");
+}
+
+std::vector<std::string> names(const std::vector<case_file::DerivedValue>& values) {
+  std::vector<std::string> result;
+  for (const case_file::DerivedValue& value : values) {
+    result.push_back(value.name + " = " + value.value + " " + value.unit);
+  }
+  return result;
+}
+
+TEST(DerivedValues, AreThoseOfThePhysics) {
+  simulation::CheckReport report;
+  report.triangles = 8;
+  report.pore_nodes = 9;
+  report.crack_nodes = 2;
+  report.smallest_edge = 0.5;
+  report.limits = {{"all together", 1e-3, {}}};
+  EXPECT_EQ(
+      names(derived_values(report, "1.2")),
+      (std::vector<std::string>{"version of percolith = 1.2 ", "triangles = 8 ", "pore nodes = 9 ",
+                                "crack nodes = 2 ", "smallest edge = 0.5 m",
+                                "limit of the explicit step by all together = 0.001 s"}));
+  report.mechanics = {{"apparent_modulus_Pa", 2e9}};
+  EXPECT_EQ(names(derived_values(report, "1.2")),
+            (std::vector<std::string>{"version of percolith = 1.2 ", "triangles = 8 ",
+                                      "smallest edge = 0.5 m", "apparent_modulus_Pa = 2000000000 ",
+                                      "limit of the explicit step by all together = 0.001 s"}));
+}
+
+}  // namespace
+}  // namespace percolith::cli
