@@ -150,11 +150,6 @@ void add_fractures(std::vector<Applicability>& rules) {
                      is_cohesive,
                      "bond = \"cohesive\""});
   }
-  rules.push_back({"fracture.*.friction_angle",
-                   {"fracture.*.bond"},
-                   is_cohesive,
-                   "bond = \"cohesive\"; the faces of a broken fracture have "
-                   "residual_friction_angle"});
 }
 
 }  // namespace

@@ -127,8 +127,9 @@ void describe(V& option, simulation::FractureGroup& m) {
                               "Whether the fracture is broken from the start, or bonded with "
                               "strengths of its own."});
   list_strength(option, m.strength,
-                {"required with bond = \"cohesive\"", "required with bond = \"cohesive\"",
-                 "friction_angle; of a broken fracture that of the material"});
+                {"required with bond = \"cohesive\"",
+                 "required with bond = \"cohesive\"; else that of the material",
+                 "friction_angle; where none is given that of the material"});
 }
 
 }  // namespace percolith::case_file

@@ -101,6 +101,7 @@ private:
         group.bond = simulation::Bond::cohesive;
         group.strength = strength();
       } else {
+        group.strength.friction_angle = perhaps(fraction());
         group.strength.residual_friction_angle = perhaps(fraction());
       }
     }

@@ -40,7 +40,7 @@ TEST(ReadMechanics, FillsStrength) {
   EXPECT_EQ(rock.joints, simulation::RockJoints::breakable);
   EXPECT_EQ(rock.strength.tensile_strength, 1e7);
   EXPECT_EQ(rock.strength.cohesion, 2e7);
-  EXPECT_DOUBLE_EQ(rock.strength.friction_angle, 35.0 * degree);
+  EXPECT_DOUBLE_EQ(*rock.strength.friction_angle, 35.0 * degree);
   EXPECT_DOUBLE_EQ(*rock.strength.residual_friction_angle, 30.0 * degree);
   EXPECT_EQ(rock.strength.mode_1_energy, 10.0);
   EXPECT_DOUBLE_EQ(rock.strength.mode_2_energy, 100.0);
@@ -57,7 +57,7 @@ TEST(ReadMechanics, FillsStrength) {
   EXPECT_EQ(vein.bond, simulation::Bond::cohesive);
   EXPECT_EQ(vein.strength.tensile_strength, 2e6);
   EXPECT_EQ(vein.strength.cohesion, 4e6);
-  EXPECT_DOUBLE_EQ(vein.strength.friction_angle, 30.0 * degree);
+  EXPECT_DOUBLE_EQ(*vein.strength.friction_angle, 30.0 * degree);
   EXPECT_DOUBLE_EQ(*vein.strength.residual_friction_angle, 28.0 * degree);
   EXPECT_EQ(vein.strength.mode_1_energy, 2.0);
   EXPECT_EQ(vein.strength.mode_2_energy, 20.0);

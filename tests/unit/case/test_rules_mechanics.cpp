@@ -181,17 +181,14 @@ TEST(RulesOfMechanics, AnElasticBodyNeedsItsFriction) {
   EXPECT_EQ(mechanics_error(body), "");
 }
 
-TEST(RulesOfMechanics, ABrokenFractureHasOnlyResidualFriction) {
+TEST(RulesOfMechanics, ABrokenFractureHasOnlyFriction) {
   EXPECT_EQ(mechanics_error({fault, "fracture.fault.residual_friction_angle=0"}), "");
+  EXPECT_EQ(mechanics_error({fault, "fracture.fault.friction_angle=0.1"}), "");
   for (const std::string option :
        {"tensile_strength", "cohesion", "mode_1_energy", "mode_2_energy", "joint_penalty"}) {
     EXPECT_EQ(mechanics_error({fault, "fracture.fault." + option + " = 0.1"}),
               no_effect("fracture.fault." + option + " = 0.1", "bond = \"cohesive\""));
   }
-  EXPECT_EQ(mechanics_error({fault, "fracture.fault.friction_angle = 0.1"}),
-            no_effect("fracture.fault.friction_angle = 0.1",
-                      "bond = \"cohesive\"; the faces of a broken fracture have "
-                      "residual_friction_angle"));
 }
 
 TEST(RulesOfMechanics, BoundsOfTheRock) {
