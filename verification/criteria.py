@@ -100,6 +100,10 @@ def evaluate(example: str, result: Result) -> list[tuple[str, float, float]]:
     for criterion in expected.get("history", []):
         value = history_value(criterion, result.results)
         found.append((criterion["name"], value, criterion["limit"]))
+    for criterion in expected.get("probe", []):
+        value = result.results.probe(criterion["probe"]).at_time()[criterion["quantity"]].mean()
+        found.append((criterion["name"], abs(value / criterion["expected"] - 1),
+                      criterion["limit"]))
     for criterion in expected.get("profile", []):
         values = profile(criterion, result.results, example)
         value = measure(criterion["measure"], values, criterion.get("scale", 1.0))

@@ -35,4 +35,3 @@ Plane Surface(2) = {2};
 Physical Surface("slope") = {1};
 Physical Surface("block") = {2};
 Physical Curve("base") = {4};
-Physical Curve("top") = {8};

@@ -19,7 +19,7 @@ MEASURED = (0.32, 0.37)  # m: lengths of the crack over which the load is compar
 
 class Curve:
     """Opening of the ends (m), load (N/m), length of the crack by its broken joints (m) and
-    energy in the joints (J/m) over time."""
+    energy spent in joints (J/m) over time."""
 
     def __init__(self, run, joints: int):
         history = run.history
@@ -29,7 +29,7 @@ class Curve:
                            - history["boundary.lower_end.reaction_y_N_per_m"])
         broken = history["broken_joints"] - history["broken_joints"][0]
         self.length = NOTCH + broken * RUN / joints
-        self.energy = history["joint_J_per_m"]
+        self.energy = history["fracture_J_per_m"]
 
     def measured(self) -> np.ndarray:
         return (self.length > MEASURED[0]) & (self.length < MEASURED[1])

@@ -37,7 +37,7 @@ def energies(chapter: Chapter, work: Path) -> None:
         work_done = np.trapezoid(force, moved) / LENGTH
         chapter.at_most(f"{name}.work", f"{name}: work of the force over the area, relative "
                         f"difference from {expected:.1f} J/m2", abs(work_done / expected - 1), 0.01)
-        spent = run.history["joint_J_per_m"][-1] / LENGTH
+        spent = run.history["fracture_J_per_m"][-1] / LENGTH
         chapter.at_most(f"{name}.joint", f"{name}: energy spent in the joint, the same",
                         abs(spent / expected - 1), 0.01)
         chapter.at_most(f"{name}.energy", f"{name}: error of the energy balance",
