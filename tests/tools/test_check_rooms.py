@@ -37,6 +37,13 @@ def test_an_undeclared_include_is_located(tmp_path):
                         "allowed: core"]
 
 
+def test_folders_within_a_room_are_part_of_it(tmp_path):
+    write(tmp_path, "mesh/grid/b.cpp",
+          '#include "percolith/mesh/grid/b.hpp"\n#include "percolith/seepage/pore.hpp"\n')
+    problems = check_rooms.include_problems(tmp_path, check_rooms.declared_rooms(DECLARATIONS))
+    assert len(problems) == 1 and "b.cpp:2: room mesh includes seepage/pore.hpp" in problems[0]
+
+
 def test_a_folder_that_is_no_room_is_found(tmp_path):
     write(tmp_path, "lost/a.cpp", "")
     problems = check_rooms.include_problems(tmp_path, check_rooms.declared_rooms(DECLARATIONS))

@@ -14,8 +14,13 @@ constexpr double farthest = 1e100;
 constexpr double most_cells = 4.0;
 constexpr double most_entries = 16.0;
 
-Index cell_number(double offset, double size, Index cells) {
-  return static_cast<Index>(std::clamp(offset / size, 0.0, static_cast<double>(cells - 1)));
+Index cell_number(double cell, Index cells) {
+  return static_cast<Index>(std::clamp(cell, 0.0, static_cast<double>(cells - 1)));
+}
+
+Index cells_along(double extent, double size) {
+  constexpr double most = 1 << 20;
+  return static_cast<Index>(std::min(extent / size, most)) + 1;
 }
 
 }  // namespace
@@ -33,26 +38,33 @@ Box box_of(const PlacedTriangle& triangle, double gap) {
   return finite ? box : Box{};
 }
 
-CellGrid::CellGrid(std::span<const Box> boxes) {
+CellGrid::CellGrid(std::span<const Box> boxes) : ranges_(boxes.size()) {
   choose_cells(boxes);
-  fill(boxes);
+  fill();
 }
 
-CellGrid::Range CellGrid::range_of(const Box& box) const {
-  if (box.empty()) {
-    return {};
+void CellGrid::set_ranges(std::span<const Box> boxes, double size, const Point& extent) {
+  columns_ = cells_along(extent.x, size);
+  rows_ = cells_along(extent.y, size);
+  const double inverse = 1.0 / size;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (!boxes[i].empty()) {
+      const Point low = inverse * (boxes[i].low - low_);
+      const Point high = inverse * (boxes[i].high - low_);
+      ranges_[i] = {cell_number(low.x, columns_), cell_number(high.x, columns_),
+                    cell_number(low.y, rows_), cell_number(high.y, rows_)};
+    }
   }
-  return {cell_number(box.low.x - low_.x, size_, columns_),
-          cell_number(box.high.x - low_.x, size_, columns_),
-          cell_number(box.low.y - low_.y, size_, rows_),
-          cell_number(box.high.y - low_.y, size_, rows_)};
 }
 
-void CellGrid::resize(double size, const Point& extent) {
-  constexpr double most = 1 << 20;
-  size_ = size;
-  columns_ = static_cast<Index>(std::min(extent.x / size, most)) + 1;
-  rows_ = static_cast<Index>(std::min(extent.y / size, most)) + 1;
+bool CellGrid::too_many(double boxes) const {
+  double entries = 0.0;
+  for (const Range& r : ranges_) {
+    entries += static_cast<double>(r.last_column - r.first_column + 1) *
+               static_cast<double>(r.last_row - r.first_row + 1);
+  }
+  const double cells = static_cast<double>(columns_) * static_cast<double>(rows_);
+  return cells > most_cells * boxes + 16.0 || entries > most_entries * boxes + 16.0;
 }
 
 void CellGrid::choose_cells(std::span<const Box> boxes) {
@@ -72,30 +84,18 @@ void CellGrid::choose_cells(std::span<const Box> boxes) {
   }
   low_ = all.low;
   const Point extent = all.high - all.low;
-  resize(sum / count, extent);
-  const auto too_many = [&] {
-    return static_cast<double>(columns_) * static_cast<double>(rows_) > most_cells * count + 16.0 ||
-           entries(boxes) > most_entries * count + 16.0;
-  };
-  while (too_many() && (columns_ > 1 || rows_ > 1)) {
-    resize(1.5 * size_, extent);
+  double size = sum / count;
+  set_ranges(boxes, size, extent);
+  while (too_many(count) && (columns_ > 1 || rows_ > 1)) {
+    size *= 1.5;
+    set_ranges(boxes, size, extent);
   }
 }
 
-double CellGrid::entries(std::span<const Box> boxes) const {
-  double sum = 0.0;
-  for (const Box& box : boxes) {
-    const Range r = range_of(box);
-    sum += static_cast<double>(r.last_column - r.first_column + 1) *
-           static_cast<double>(r.last_row - r.first_row + 1);
-  }
-  return sum;
-}
-
-void CellGrid::fill(std::span<const Box> boxes) {
+void CellGrid::fill() {
   const auto visit = [&](const auto& add) {
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      const Range r = range_of(boxes[i]);
+    for (std::size_t i = 0; i < ranges_.size(); ++i) {
+      const Range& r = ranges_[i];
       for (Index row = r.first_row; row <= r.last_row; ++row) {
         for (Index column = r.first_column; column <= r.last_column; ++column) {
           add(at(row * columns_ + column), static_cast<Index>(i));

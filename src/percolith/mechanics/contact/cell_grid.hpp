@@ -4,8 +4,8 @@
 #include "percolith/mechanics/contact/placed_triangle.hpp"
 #include "percolith/mesh/mesh.hpp"
 
-#include <array>
 #include <span>
+#include <vector>
 
 namespace percolith::mechanics {
 
@@ -36,7 +36,7 @@ public:
   struct Range {
     Index first_column = 0, last_column = -1, first_row = 0, last_row = -1;
   };
-  [[nodiscard]] Range range_of(const Box& box) const;
+  [[nodiscard]] const Range& range_of(Index box) const { return ranges_[at(box)]; }
   /// Boxes in a cell, ascending.
   [[nodiscard]] std::span<const Index> cell(Index column, Index row) const {
     return cells_.row(row * columns_ + column);
@@ -44,13 +44,13 @@ public:
 
 private:
   void choose_cells(std::span<const Box> boxes);
-  void resize(double size, const Point& extent);
-  [[nodiscard]] double entries(std::span<const Box> boxes) const;
-  void fill(std::span<const Box> boxes);
+  void set_ranges(std::span<const Box> boxes, double size, const Point& extent);
+  [[nodiscard]] bool too_many(double boxes) const;
+  void fill();
 
   Point low_;
-  double size_ = 1.0;  // of a cell, m
   Index columns_ = 1, rows_ = 1;
+  std::vector<Range> ranges_;
   mesh::IndexTable cells_;
 };
 

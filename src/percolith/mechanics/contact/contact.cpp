@@ -66,56 +66,40 @@ struct Gather {
     const Index first = block_start[lane.first];
     const Index end = block_start[lane.first + 1];
     const Index block = candidate[first].triangle / block_width;
+    std::array<Point, mesh::corners_per_block> sum{};  // as the slots of the block
     bool act = false;
-    for (Index c = first; c < end && !act; ++c) {
-      act = touches(c);
+    for (Index c = first; c < end; ++c) {
+      Point* const own = sum.data() + candidate[c].triangle % block_width;
+      for (const Index p : list->as_second.row(c)) {
+        act = add(at(p), 1, own) || act;
+      }
+      for (Index p = list->start[at(c)]; p < list->start[at(c) + 1]; ++p) {
+        act = add(at(p), 0, own) || act;
+      }
     }
     if (!act && acts[block] == 0) {
       return;
     }
-    const Index slot = block * mesh::corners_per_block;
-    std::fill_n(force_x + slot, mesh::corners_per_block, 0.0);
-    std::fill_n(force_y + slot, mesh::corners_per_block, 0.0);
     acts[block] = act ? 1 : 0;
-    for (Index c = first; c < end && act; ++c) {
-      add_forces(c);
+    const Index slot = block * mesh::corners_per_block;
+    for (Index k = 0; k < mesh::corners_per_block; ++k) {
+      force_x[slot + k] = sum[at(k)].x;
+      force_y[slot + k] = sum[at(k)].y;
     }
   }
 
 private:
-  [[nodiscard]] bool touches(Index c) const {
-    const auto& touching = pairs->touching;
-    for (const Index p : list->as_second.row(c)) {
-      if (touching[at(p)] != 0) {
-        return true;
-      }
+  /// False where the pair does not touch.
+  bool add(std::size_t pair, std::size_t side, Point* sum) const {
+    if (pairs->touching[pair] == 0) {
+      return false;
     }
-    return std::any_of(touching.begin() + list->start[at(c)],
-                       touching.begin() + list->start[at(c) + 1],
-                       [](std::uint8_t t) { return t != 0; });
-  }
-
-  void add_forces(Index c) const {
-    std::array<Point, 3> sum{};
-    const auto add = [&](Index p, std::size_t side) {
-      if (pairs->touching[at(p)] != 0) {
-        const auto& force = pairs->force[at(p)][side];
-        for (std::size_t k = 0; k < 3; ++k) {
-          sum[k] = sum[k] + force[k];
-        }
-      }
-    };
-    for (const Index p : list->as_second.row(c)) {
-      add(p, 1);
-    }
-    for (Index p = list->start[at(c)]; p < list->start[at(c) + 1]; ++p) {
-      add(p, 0);
-    }
+    const auto& force = pairs->force[pair][side];
     for (std::size_t k = 0; k < 3; ++k) {
-      const Index slot = mesh::corner_of(candidate[c].triangle, static_cast<Index>(k));
-      force_x[slot] = sum[k].x;
-      force_y[slot] = sum[k].y;
+      Point& corner = sum[k * block_width];
+      corner = corner + force[k];
     }
+    return true;
   }
 };
 
@@ -206,9 +190,11 @@ void Contact::carry_over(const PairList& list, PairStates& states) {
       states.touching[next] = pairs_.touching[old];
       states.edge[next] = pairs_.edge[old];
       states.start[next] = PairStart::none;
+      states.state[next].loss = 0.0;
     } else {
       friction_dissipation_ += stored_energy(pairs_.state[old]);
     }
+    friction_dissipation_ += pairs_.state[old].loss;
   }
 }
 
@@ -266,8 +252,6 @@ void Contact::advance(const mesh::Mesh& mesh, const CornerMotion& motion, double
     execution.for_each("contact force", count,
                        PairForceKernel{list_.pair.data(), placed_.data(), surface_.data(),
                                        velocity_.data(), handed_, dt, &pairs_});
-    friction_dissipation_ +=
-        execution.sum(count, [&](Index p) { return pairs_.state[at(p)].loss; });
   }
   gather(execution);
 }

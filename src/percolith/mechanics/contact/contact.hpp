@@ -84,7 +84,7 @@ public:
 
   /// J/m since the start: the work that tangential forces took from the bodies, as
   /// (f before + f after)/2 times the displacement of each step, less `stored_tangential`.
-  [[nodiscard]] double friction_dissipation() const { return friction_dissipation_.total(); }
+  [[nodiscard]] double friction_dissipation() const;
   /// Energy in the tangential springs of all pairs, J/m. What a joint hands over appears here.
   [[nodiscard]] double stored_tangential() const;
   /// Energy of the normal forces at the last `advance`, J/m: for each pair
@@ -131,9 +131,9 @@ private:
   std::vector<PairHandOver> handed_;
   std::vector<PendingHandOver> pending_;
   bool stale_ = true;
-  double margin_ = 0.0;     // m
-  double travelled_ = 0.0;  // m, since the search
-  CompensatedSum friction_dissipation_;
+  double margin_ = 0.0;                  // m
+  double travelled_ = 0.0;               // m, since the search
+  CompensatedSum friction_dissipation_;  // J/m, up to the search
   std::vector<double> force_x_, force_y_;
   std::vector<std::uint8_t> acts_;
 };

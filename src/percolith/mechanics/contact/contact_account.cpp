@@ -8,6 +8,14 @@
 
 namespace percolith::mechanics {
 
+double Contact::friction_dissipation() const {
+  CompensatedSum sum = friction_dissipation_;
+  for (const PairState& state : pairs_.state) {
+    sum += state.loss;
+  }
+  return sum.total();
+}
+
 double Contact::stored_tangential() const {
   CompensatedSum sum;
   for (const PairState& state : pairs_.state) {
@@ -56,8 +64,7 @@ double Contact::deepest() const {
 void Contact::add_to(StateHash& hash) const {
   hash.add(force_x_);
   hash.add(force_y_);
-  hash.add(friction_dissipation_.value);
-  hash.add(friction_dissipation_.carry);
+  hash.add(friction_dissipation());
   hash.add(travelled_);
   for (std::size_t p = 0; p < list_.pair.size(); ++p) {
     hash.add(searched_[at(list_.pair[p][0])]);

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/mechanics/contact/overlap_force.hpp"
 
+#include "percolith/core/index.hpp"
+
+#include <experimental/simd>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace percolith::mechanics {
 namespace {
@@ -22,130 +27,171 @@ bool parts(const PlacedPair& pair, std::size_t edge) {
                   : has_beyond(pair.second, edge - 3, pair.first);
 }
 
-/// Area coordinates of the other triangle along an edge: lambda_i = start_i + slope_i t, 0 <= t
-/// <= 1.
-struct Coordinates {
-  std::array<double, 3> start, slope;
-  [[nodiscard]] double operator()(std::size_t i, double t) const { return start[i] + slope[i] * t; }
-  /// The potential phi; never negative, even where rounding left the triangle.
-  [[nodiscard]] double potential(double t) const {
-    return 3.0 * std::max(0.0, std::min({(*this)(0, t), (*this)(1, t), (*this)(2, t)}));
-  }
-  /// Which coordinate is the smallest.
-  [[nodiscard]] std::size_t smallest(double t) const {
-    const double a = (*this)(0, t);
-    const double b = (*this)(1, t);
-    return (*this)(2, t) < std::min(a, b) ? 2 : (b < a ? 1 : 0);
-  }
-};
+using Row = EdgeParts::Row;
 
-/// The part of an edge within the other triangle.
-struct Part {
-  double start = 0.0, end = 1.0;
-};
+using Real = VectorLane::Real;
 
-/// False where the edge does not enter the other triangle.
-bool clip(const Coordinates& lambda, const std::array<double, 3>& last, Part& part) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double a = lambda.start[i];
-    const double b = last[i];
-    if (a <= 0.0 && b <= 0.0) {
-      return false;
-    }
-    if (a < 0.0) {
-      part.start = std::max(part.start, a / (a - b));
-    } else if (b < 0.0) {
-      part.end = std::min(part.end, a / (a - b));
-    }
-  }
-  return part.start < part.end;
+// A second argument that is no number loses.
+inline Real lower(Real a, Real b) {
+  return select(b < a, b, a);
+}
+inline Real upper(Real a, Real b) {
+  return select(a < b, b, a);
 }
 
-/// Integrals over t of the potential, and of the potential times t.
-struct Load {
-  double sum = 0.0, moment = 0.0;
-  /// Adds a piece on which the potential is linear.
-  void add(double t0, double phi0, double t1, double phi1) {
-    const double half = 0.5 * (t1 - t0);
-    sum += half * (phi0 + phi1);
-    moment += half * (1.0 / 3.0) * (t0 * (2.0 * phi0 + phi1) + t1 * (phi0 + 2.0 * phi1));
+/// Area coordinates in the other triangle at both ends of each edge, [coordinate][edge].
+struct Coordinates {
+  alignas(64) std::array<Row, 3> first, last;
+};
+
+/// Integrals along each edge, over the share t of it: 2/3 of that of the potential of the other
+/// triangle, and twice that of the potential times t.
+struct Loads {
+  alignas(64) Row sum, moment;
+};
+
+/// Area coordinates along edges: lambda_i = value_i + slope_i t, 0 <= t <= 1.
+struct Lambda {
+  std::array<Real, 3> value, slope;
+  /// A third of the potential phi; never negative, even where rounding left the triangle.
+  [[nodiscard]] Real smallest(Real t) const {
+    const Real a = value[0] + slope[0] * t;
+    const Real b = value[1] + slope[1] * t;
+    const Real c = value[2] + slope[2] * t;
+    return upper(Real{}, lower(a, lower(b, c)));
   }
 };
+
+/// From 0 to 1 a whole edge.
+struct Part {
+  Real start, end;
+};
+
+/// The part where a coordinate, given at both ends, is not negative. A quotient by zero is not
+/// used.
+inline Part clip(Part part, Real first, Real last) {
+  const Real zero = first / (first - last);
+  const Real end = select(last < Real{}, lower(part.end, zero), part.end);
+  return {select(first < Real{}, upper(part.start, zero), part.start),
+          select(upper(first, last) <= Real{}, Real{}, end)};
+}
 
 /// Where two coordinates are equal, kept within the part.
-double crossing(const Coordinates& lambda, std::size_t i, std::size_t j, const Part& part) {
-  const double slope = lambda.slope[i] - lambda.slope[j];
-  if (slope == 0.0) {
-    return part.end;
-  }
-  return std::clamp((lambda.start[j] - lambda.start[i]) / slope, part.start, part.end);
+inline Real crossing(const Lambda& lambda, std::size_t i, std::size_t j, const Part& part) {
+  const Real t = (lambda.value[j] - lambda.value[i]) / (lambda.slope[i] - lambda.slope[j]);
+  return upper(part.start, lower(part.end, t));
 }
 
-Load integrate(const Coordinates& lambda, const Part& part) {
-  Load load;
-  const double phi_start = lambda.potential(part.start);
-  const double phi_end = lambda.potential(part.end);
-  // What is smallest at both ends is smallest all the way.
-  if (lambda.smallest(part.start) == lambda.smallest(part.end)) {
-    load.add(part.start, phi_start, part.end, phi_end);
-    return load;
-  }
-  std::array<double, 3> t{crossing(lambda, 0, 1, part), crossing(lambda, 0, 2, part),
-                          crossing(lambda, 1, 2, part)};
-  std::sort(t.begin(), t.end());
-  double before = part.start;
-  double phi_before = phi_start;
-  for (const double now : t) {
-    const double phi = lambda.potential(now);
-    load.add(before, phi_before, now, phi);
+/// Adds the pieces between the places where another coordinate becomes the smallest: on each the
+/// potential is linear. Gives 2/3 of the integral and 2 of the moment.
+inline void integrate(const Lambda& lambda, const Part& part, Real& sum, Real& moment) {
+  const Real a = crossing(lambda, 0, 1, part);
+  const Real b = crossing(lambda, 0, 2, part);
+  const Real c = crossing(lambda, 1, 2, part);
+  const Real low = lower(a, b);
+  const Real high = upper(a, b);
+  const std::array<Real, 5> t{part.start, lower(low, c), upper(low, lower(high, c)), upper(high, c),
+                              part.end};
+  sum = Real{};
+  moment = Real{};
+  Real before = lambda.smallest(t[0]);
+  for (std::size_t k = 1; k < t.size(); ++k) {
+    const Real now = lambda.smallest(t[k]);
+    const Real length = t[k] - t[k - 1];
+    const Real both = before + now;
+    sum += length * both;
+    moment += length * (t[k - 1] * (both + before) + t[k] * (both + now));
     before = now;
-    phi_before = phi;
   }
-  load.add(before, phi_before, part.end, phi_end);
-  return load;
 }
 
-/// Area coordinates of the corners of `own` in `other`: [corner][coordinate].
-std::array<std::array<double, 3>, 3> coordinates_in(const Corners& other, const Corners& own) {
+Loads integrate_edges(const Coordinates& coordinates, EdgeParts& rim) {
+  constexpr Row whole{1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+  Loads loads;
+  for (std::size_t e = 0; e < block_width; e += at(VectorLane::width)) {
+    Lambda lambda;
+    Part part{Real{}, VectorLane::load(&whole[e])};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Real first = VectorLane::load(&coordinates.first[i][e]);
+      const Real last = VectorLane::load(&coordinates.last[i][e]);
+      lambda.value[i] = first;
+      lambda.slope[i] = last - first;
+      part = clip(part, first, last);
+    }
+    const auto inside = part.start < part.end;
+    part = {select(inside, part.start, Real{}), select(inside, part.end, Real{})};
+    Real sum;
+    Real moment;
+    integrate(lambda, part, sum, moment);
+    VectorLane::store(&rim.start[e], part.start);
+    VectorLane::store(&rim.end[e], part.end);
+    VectorLane::store(&loads.sum[e], sum);
+    VectorLane::store(&loads.moment[e], moment);
+  }
+  return loads;
+}
+
+/// Enters the edges of triangle `own`, the first of them in place `place`.
+void set_edges(const Corners& own, const Corners& other, std::size_t place,
+               Coordinates& coordinates, EdgeParts& rim) {
   const double inverse = 1.0 / cross(other[1] - other[0], other[2] - other[0]);
-  std::array<std::array<double, 3>, 3> lambda;
   for (std::size_t k = 0; k < 3; ++k) {
+    rim.x[place + k] = own[k].x;
+    rim.y[place + k] = own[k].y;
+    rim.dx[place + k] = own[next(k)].x - own[k].x;
+    rim.dy[place + k] = own[next(k)].y - own[k].y;
     for (std::size_t i = 0; i < 3; ++i) {
-      lambda[k][i] = inverse * beside_edge(other, next(i), own[k]);
+      const double lambda = inverse * beside_edge(other, next(i), own[k]);
+      coordinates.first[i][place + k] = lambda;
+      coordinates.last[i][place + (k == 0 ? 2 : k - 1)] = lambda;
     }
   }
-  return lambda;
 }
 
-/// Adds the edges of triangle `side` within the other one; `penalty` is that of the other.
-void add_edges(const Corners& own, const Corners& other, double penalty, std::size_t side,
-               OverlapForce& result) {
-  const auto lambda = coordinates_in(other, own);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t last = next(k);
-    const Coordinates along{lambda[k],
-                            {lambda[last][0] - lambda[k][0], lambda[last][1] - lambda[k][1],
-                             lambda[last][2] - lambda[k][2]}};
-    Part part;
-    if (!clip(along, lambda[last], part)) {
-      continue;
-    }
-    const Point edge = own[last] - own[k];
-    result.rim[result.rim_points++] = own[k] + part.start * edge;
-    result.rim[result.rim_points++] = own[k] + part.end * edge;
-    const Load load = integrate(along, part);
-    const Point push = -penalty * clockwise(edge);
-    const double weight = penalty * std::sqrt(dot(edge, edge));
-    const auto add = [&](std::size_t triangle, std::size_t corner, double share, double sign) {
-      result.on[triangle][corner] = result.on[triangle][corner] + (sign * share) * push;
-      result.centre[triangle][corner] += share * weight;
-    };
-    add(side, k, load.sum - load.moment, 1.0);
-    add(side, last, load.moment, 1.0);
+/// Empties the places that hold no edge.
+void clear_rest(Coordinates& coordinates, EdgeParts& rim) {
+  for (std::size_t e = 6; e < block_width; ++e) {
+    rim.x[e] = rim.y[e] = rim.dx[e] = rim.dy[e] = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
-      add(1 - side, i, along.start[i] * load.sum + along.slope[i] * load.moment, -1.0);
+      coordinates.first[i][e] = coordinates.last[i][e] = 0.0;
     }
   }
+}
+
+/// A force and its weight at the centre of pressure; four numbers fill a register.
+struct alignas(32) Push {
+  std::array<double, 4> value{};
+  void add(double share, const Push& push) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      value[i] += share * push.value[i];
+    }
+  }
+};
+
+using CornerPushes = std::array<Push, 3>;
+
+/// What the edges from place `first` on carry, on the corners of their own triangle and of the
+/// other one, whose penalty is given.
+std::array<CornerPushes, 2> edge_pushes(const EdgeParts& rim, const Coordinates& coordinates,
+                                        const Loads& loads, double penalty, std::size_t first) {
+  CornerPushes own;
+  CornerPushes other;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t e = first + k;
+    const double x = -penalty * rim.dy[e];
+    const double y = penalty * rim.dx[e];
+    const double weight = std::sqrt(x * x + y * y);
+    const Push on_own{{x, y, weight, 0.0}};
+    const Push on_other{{-x, -y, weight, 0.0}};
+    const double at_end = 0.5 * loads.moment[e];
+    const double at_start = 1.5 * loads.sum[e] - at_end;
+    own[k].add(at_start, on_own);
+    own[next(k)].add(at_end, on_own);
+    for (std::size_t i = 0; i < 3; ++i) {
+      other[i].add(coordinates.first[i][e] * at_start + coordinates.last[i][e] * at_end, on_other);
+    }
+  }
+  return {own, other};
 }
 
 }  // namespace
@@ -165,30 +211,49 @@ bool separated(const PlacedPair& pair, std::uint8_t& edge) {
 
 OverlapForce overlap_force(const PlacedPair& pair, const std::array<double, 2>& penalty) {
   OverlapForce result;
-  add_edges(pair.first, pair.second, penalty[1], 0, result);
-  add_edges(pair.second, pair.first, penalty[0], 1, result);
-  result.total = result.on[0][0] + result.on[0][1] + result.on[0][2];
-  for (auto& weights : result.centre) {
-    const double sum = weights[0] + weights[1] + weights[2];
-    for (double& w : weights) {
-      w = sum > 0.0 ? w / sum : 0.0;
+  Coordinates coordinates;
+  set_edges(pair.first, pair.second, 0, coordinates, result.rim);
+  set_edges(pair.second, pair.first, 3, coordinates, result.rim);
+  clear_rest(coordinates, result.rim);
+  const Loads loads = integrate_edges(coordinates, result.rim);
+  const auto from_first = edge_pushes(result.rim, coordinates, loads, penalty[1], 0);
+  const auto from_second = edge_pushes(result.rim, coordinates, loads, penalty[0], 3);
+  for (std::size_t side = 0; side < 2; ++side) {
+    CornerPushes p = from_first[side];
+    for (std::size_t k = 0; k < 3; ++k) {
+      p[k].add(1.0, from_second[1 - side][k]);
+    }
+    const double sum = p[0].value[2] + p[1].value[2] + p[2].value[2];
+    const double inverse = sum > 0.0 ? 1.0 / sum : 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      result.on[side][k] = {p[k].value[0], p[k].value[1]};
+      result.centre[side][k] = inverse * p[k].value[2];
     }
   }
+  result.total = result.on[0][0] + result.on[0][1] + result.on[0][2];
   return result;
 }
 
 double extent_along(const OverlapForce& overlap, const Point& direction) {
-  if (overlap.rim_points == 0) {
-    return 0.0;
+  constexpr double far = std::numeric_limits<double>::infinity();
+  const EdgeParts& rim = overlap.rim;
+  Real low(far);
+  Real high(-far);
+  for (std::size_t e = 0; e < block_width; e += at(VectorLane::width)) {
+    const auto along = [&](const Row& x, const Row& y) {
+      return Real(direction.x) * VectorLane::load(&x[e]) +
+             Real(direction.y) * VectorLane::load(&y[e]);
+    };
+    const Real place = along(rim.x, rim.y);
+    const Real step = along(rim.dx, rim.dy);
+    const Real start = VectorLane::load(&rim.start[e]);
+    const Real end = VectorLane::load(&rim.end[e]);
+    const Real a = place + start * step;
+    const Real b = place + end * step;
+    low = select(start < end, lower(low, lower(a, b)), low);
+    high = select(start < end, upper(high, upper(a, b)), high);
   }
-  double low = dot(overlap.rim[0], direction);
-  double high = low;
-  for (std::size_t i = 1; i < overlap.rim_points; ++i) {
-    const double place = dot(overlap.rim[i], direction);
-    low = std::min(low, place);
-    high = std::max(high, place);
-  }
-  return high - low;
+  return std::max(0.0, std::experimental::hmax(high) - std::experimental::hmin(low));
 }
 
 }  // namespace percolith::mechanics

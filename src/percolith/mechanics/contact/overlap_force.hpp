@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/core/simd.hpp"
 #include "percolith/mechanics/contact/placed_triangle.hpp"
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 
 namespace percolith::mechanics {
@@ -14,14 +14,22 @@ namespace percolith::mechanics {
 /// that was found: from one step to the next it is mostly the same. Both areas must be positive.
 [[nodiscard]] bool separated(const PlacedPair& pair, std::uint8_t& edge);
 
+/// The edges of both triangles, each with its part within the other one: 0..2 of the first, 3..5 of
+/// the second, the rest empty. Laid out for vector registers.
+struct alignas(64) EdgeParts {
+  using Row = std::array<double, block_width>;
+  Row x, y;        ///< m, where the edge starts
+  Row dx, dy;      ///< m, from there to its end
+  Row start, end;  ///< the part, as shares of the edge; equal where it is empty
+};
+
 /// The normal force of two triangles that overlap, (4), with the potential (5), and where it acts.
 struct OverlapForce {
-  std::array<std::array<Point, 3>, 2> on{};  ///< N/m, [triangle][corner]
-  Point total;                               ///< N/m, on the first triangle
+  std::array<std::array<Point, 3>, 2> on;  ///< N/m, [triangle][corner]
+  Point total;                             ///< N/m, on the first triangle
   /// Weights of the corners of each triangle at the centre of pressure; all zero without overlap.
-  std::array<std::array<double, 3>, 2> centre{};
-  std::array<Point, 12> rim;  ///< ends of the edges of the overlap, m, as seen in the pair
-  std::size_t rim_points = 0;
+  std::array<std::array<double, 3>, 2> centre;
+  EdgeParts rim;  ///< what bounds the overlap
 };
 
 /// Integrates (4) exactly over the boundary of the overlap:

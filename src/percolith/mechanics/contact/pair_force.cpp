@@ -17,7 +17,7 @@ constexpr double smallest_factor = 0.1;
 
 /// The overlap is gone: nothing is remembered.
 void part(PairState& state) {
-  const double loss = stored_energy(state);
+  const double loss = state.loss + stored_energy(state);
   state = PairState{};
   state.loss = loss;
 }
@@ -48,13 +48,13 @@ void rub(double stiffness, double displacement, double limit, bool first, PairSt
   state.stiffness = stiffness;
   if (!(stiffness > 0.0)) {
     state.tangential = 0.0;
-    state.loss = before;
+    state.loss += before;
     return;
   }
   const double changed = first ? 0.0 : before - stored_energy(state);
   const auto step = material::friction_step(state.tangential, stiffness, displacement, limit);
   state.tangential = step.force;
-  state.loss = changed + step.loss;
+  state.loss += changed + step.loss;
 }
 
 void add_tangential(const OverlapForce& overlap, const Point& force, PairForces& forces) {
@@ -90,16 +90,14 @@ void PairForceKernel::operator()(ScalarLane lane) const {
   }
   const bool solid = twice_area(placed[a]) > 0.0 && twice_area(placed[b]) > 0.0;
   const PlacedPair now = place_pair(placed[a], placed[b]);
-  PairState& state = states->state[p];
   if (!solid || separated(now, states->edge[p])) {
     if (states->touching[p] != 0) {
       states->touching[p] = 0;
-      part(state);
-    } else if (state.loss != 0.0) {
-      state.loss = 0.0;
+      part(states->state[p]);
     }
     return;
   }
+  PairState& state = states->state[p];
   const OverlapForce overlap =
       overlap_force(now, pair_penalty(surface[a], surface[b], placed[a], placed[b]));
   const double raw = std::sqrt(dot(overlap.total, overlap.total));

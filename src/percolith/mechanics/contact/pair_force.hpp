@@ -29,7 +29,7 @@ struct PairState {
   double tangential = 0.0;  ///< N/m, on the first triangle along t: f turned by +90 degrees
   double stiffness = 0.0;   ///< Pa, of the tangential spring at the last step
   double depth = 0.0;       ///< m, extent of the overlap along f; 0 without overlap
-  double loss = 0.0;        ///< J/m, tangential energy lost in the last step
+  double loss = 0.0;        ///< J/m, tangential energy lost since the search
 };
 
 /// Energy in the tangential spring, J/m.
@@ -68,9 +68,9 @@ struct Surface {
 /// Velocities of the corners of a candidate, m/s.
 using CornerVelocities = std::array<Point, 3>;
 
-/// The penalty of a pair: both in series.
+/// The penalty of a pair: both in series, twice as stiff as the softer one at most.
 inline double in_series(double a, double b) {
-  return a + b > 0.0 ? 2.0 * a * b / (a + b) : 0.0;
+  return a == b ? a : 2.0 * a * b / (a + b);
 }
 
 /// The weights of the potentials of a pair, see `overlap_force`.

@@ -28,15 +28,16 @@ bool is_beyond(const Corners& triangle, const Corners& other, double margin) {
 template <class Visit>
 void for_each_partner(const CellGrid& grid, std::span<const Box> boxes, Index a,
                       const Visit& visit) {
-  const CellGrid::Range own = grid.range_of(boxes[at(a)]);
+  const CellGrid::Range own = grid.range_of(a);
+  const Box box = boxes[at(a)];
   for (Index row = own.first_row; row <= own.last_row; ++row) {
     for (Index column = own.first_column; column <= own.last_column; ++column) {
       for (const Index b : grid.cell(column, row)) {
-        if (b <= a || !boxes_meet(boxes[at(a)], boxes[at(b)])) {
+        if (b <= a || !boxes_meet(box, boxes[at(b)])) {
           continue;
         }
         // Of the cells that both are in, the first one counts.
-        const CellGrid::Range other = grid.range_of(boxes[at(b)]);
+        const CellGrid::Range& other = grid.range_of(b);
         if (column == std::max(own.first_column, other.first_column) &&
             row == std::max(own.first_row, other.first_row)) {
           visit(b);
