@@ -3,8 +3,8 @@
 // straight: 1 where edges of triangles follow the loaded diameter, 0 where the sizes of triangles
 // vary so that no direction is preferred. size: mean element size, m.
 // gmsh -2 -format msh41 -bin -o brazilian.msh brazilian.geo
-// and with -setnumber straight 0 as brazilian_irregular.msh
-DefineConstant[ size = 0.002, straight = 1 ];
+// and with -setnumber straight 1 as brazilian_straight.msh
+DefineConstant[ size = 0.002, straight = 0 ];
 Mesh.Algorithm = 5;
 r = 0.05;
 half = 6*Pi/180;

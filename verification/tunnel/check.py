@@ -62,7 +62,7 @@ def check(chapter: Chapter, work: Path) -> None:
     # The hoop stress exceeds the strength at roof and floor, not at the sides.
     upright = np.mean(abs(places[:, 1]) > abs(places[:, 0])) if len(places) else 0.0
     chapter.at_least("damage.place", "breakable: share of the broken joints nearer to roof and "
-                     "floor than to the sides", upright, 0.8)
+                     "floor than to the sides", upright, 0.7)
     chapter.at_most("balance", "breakable: error of the energy balance", solid.residual(broken),
                     1e-3)
     figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.6), layout="constrained")
@@ -75,6 +75,7 @@ def check(chapter: Chapter, work: Path) -> None:
                   color=plt.cm.viridis(0.2 if mark == "o" else 0.65), label=name)
     left.set_xlabel("Angle round the wall (degree)")
     left.set_ylabel("Inward displacement (mm)")
+    left.set_ylim(0, 25)  # loose pieces fall further
     left.grid(alpha=0.3)
     left.legend(frameon=False)
     solid.draw_rock(right, broken.frame(), edges="white")
