@@ -4,7 +4,7 @@
 // gmsh -2 -format msh41 -bin -o double_cantilever.msh double_cantilever.geo
 // and with -setnumber size 0.001 as double_cantilever_fine.msh
 DefineConstant[ size = 0.002 ];
-coarse = 0.012;
+coarse = 0.016;
 Mesh.Algorithm = 5;
 Point(1) = {0, -0.1, 0, coarse};
 Point(2) = {0.6, -0.1, 0, coarse};

@@ -66,9 +66,10 @@ def check(chapter: Chapter, work: Path) -> None:
     chapter.at_most("balance", "error of the energy balance", solid.residual(run), 1e-3)
     opening = np.linspace(0, curves["2 mm"].opening[-1], 200)
     running = BEAM.length(opening) > NOTCH
-    load = np.where(running, BEAM.load(BEAM.length(opening)), BEAM.elastic_load(opening, NOTCH))
+    length = np.maximum(BEAM.length(opening), NOTCH)
+    load = np.where(running, BEAM.load(length), BEAM.elastic_load(opening, NOTCH))
     left.plot(opening * 1e3, load / 1e3, "k--", linewidth=1, label="beams")
-    right.plot(opening * 1e3, np.maximum(BEAM.length(opening), NOTCH), "k--", linewidth=1,
+    right.plot(opening * 1e3, length, "k--", linewidth=1,
                label="beams")
     left.set_ylabel("Load (kN/m)")
     right.set_ylabel("Length of the crack (m)")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A column of blocks that collapses and comes to rest: energy, overlap, nothing lost."""
+"""A stack of blocks that collapses and comes to rest: energy, overlap, nothing lost."""
 
 from pathlib import Path
 
@@ -9,8 +9,8 @@ import solid
 from report import Chapter
 from studies import check_criteria
 
-TITLE = "Rubble: a column of 112 blocks collapses"
-SIDE, HEIGHT, WEIGHT = 0.1, 14 * 0.1732, 2500 * 9.81  # m, m, N/m3
+TITLE = "Rubble: a stack of 120 blocks collapses"
+SIDE, WIDTH, HEIGHT, WEIGHT = 0.1, 0.173, 1.85, 2500 * 9.81  # m, of blocks and stack; N/m3
 PENALTY = 20 * 20e6  # Pa
 
 
@@ -29,7 +29,7 @@ def depth_into(point: np.ndarray, triangles: np.ndarray) -> np.ndarray:
 
 
 def deepest_overlap(frame, block: np.ndarray) -> float:
-    """Largest depth of a corner in a triangle of another block or of the floor, m. `block` is the
+    """Largest depth of a corner in a triangle of another block or of the tray, m. `block` is the
     number of the body of each triangle."""
     corners, cells = deformed(frame), frame.matrix.cells
     deepest = 0.0
@@ -45,28 +45,27 @@ def check(chapter: Chapter, work: Path) -> None:
     history, first, last = run.history, run.frame(0.0), run.frame()
     kinetic = history["kinetic_J_per_m"]
     block = first.matrix.cell_data["fragment"]
-    stones = solid.centres(first)[:, 1] > 0
-    chapter.at_least("fragments", "separate blocks", len(np.unique(block[stones])), 100)
+    stones = first.matrix.cell_data["region"] == 0
+    chapter.at_least("fragments", "separate blocks", len(np.unique(block[stones])), 120)
     chapter.at_most("rest", "kinetic energy at the end over the largest",
-                    kinetic[-1] / kinetic.max(), 1e-4)
+                    kinetic[-1] / kinetic.max(), 1e-5)
     fall = solid.mean_of(first, "displacement_m", stones) - solid.mean_of(last, "displacement_m",
                                                                         stones)
-    chapter.at_least("collapse", "fall of the middle of mass over the height of the column",
+    chapter.at_least("collapse", "fall of the middle of mass over its height",
                      fall[1] / HEIGHT, 0.1)
     lowest = deformed(last)[last.matrix.cells][stones][..., 1].min()
     chapter.at_least("floor", "lowest point of a block, m", lowest, -0.01)
-    # The whole column on one corner: stress of its weight over the penalty, over a side.
-    estimate = WEIGHT * HEIGHT / PENALTY * SIDE
-    chapter.at_most("overlap", "largest overlap at the end over that of the weight of the column "
-                    "on the penalty", deepest_overlap(last, block) / estimate, 5.0)
+    # A corner that goes in by d overlaps over an area of about d^2 and meets a force of about
+    # p d^2/h: here the weight of a pile of blocks as high as the stack.
+    estimate = np.sqrt(WEIGHT * HEIGHT * WIDTH * SIDE / PENALTY)
+    chapter.at_most("overlap", "largest overlap at the end over that of a pile of blocks on one "
+                    "corner", deepest_overlap(last, block) / estimate, 1.0)
     chapter.at_most("balance", "error of the energy balance", solid.residual(run), 1e-3)
-    figure, row = plt.subplots(1, 4, figsize=(15, 4.5), layout="constrained", sharey=True)
+    figure, row = plt.subplots(2, 2, figsize=(12, 6), layout="constrained", sharey=True)
     colours = np.random.default_rng(1).permutation(block.max() + 1)[block].astype(float)
-    for time, axes in zip((0.0, 0.5, 1.0, 4.0), row):
+    for time, axes in zip((0.0, 0.5, 1.0, 4.0), row.flat):
         frame = run.frame(time)
         solid.draw_rock(axes, frame, colours, (0, block.max()), magnify=1.0)
-        axes.set_xlim(-1.5, 3)
-        axes.set_ylim(-0.2, 2.6)
         axes.set_title(f"{frame.time:.1f} s", fontsize=10)
     chapter.add_figure(figure, "The blocks, by their numbers")
     chapter.add_figure(solid.energy_figure(run), "Energies of the collapse")
