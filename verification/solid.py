@@ -11,7 +11,8 @@ from percolith import RunDirectory
 from percolith.run_directory import Frame
 
 BROKEN = ((1, "tensile", "#d55e00"), (2, "shear", "#0072b2"), (3, "mixed", "#009e73"))
-ENERGIES = ("kinetic", "elastic", "joint", "fracture", "contact", "friction", "damping", "absorbed", "gravity")
+ENERGIES = ("kinetic", "elastic", "joint", "fracture", "contact", "friction", "damping", "absorbed",
+            "gravity")
 
 
 def centres(frame: Frame) -> np.ndarray:

@@ -24,11 +24,13 @@ def distance(run) -> tuple[np.ndarray, np.ndarray]:
 def check(chapter: Chapter, work: Path) -> None:
     slide = check_criteria(chapter, "incline", work).results
     mesh = ROOT / "examples/incline/incline_25.msh"
-    stay = run_example("incline", work, "stays", {"mesh.file": str(mesh), "probe.block.point": [0.88518, 0.46794]}).results
+    stay = run_example("incline", work, "stays", {
+        "mesh.file": str(mesh), "probe.block.point": [0.88518, 0.46794]}).results
     expected = slide_distance(1.0, np.radians(35), FRICTION)
     chapter.at_most("slides", "slope of 35 degrees: distance after 1 s, relative difference from "
                     f"{expected:.4f} m", abs(distance(slide)[1][-1] / expected - 1), 0.01)
-    chapter.at_most("stays", "slope of 25 degrees: distance after 1 s, m", distance(stay)[1][-1], 1e-3)
+    chapter.at_most("stays", "slope of 25 degrees: distance after 1 s, m",
+                    distance(stay)[1][-1], 1e-3)
     chapter.at_most("energy", "error of the energy balance", solid.residual(slide), 1e-3)
     figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.2), layout="constrained")
     line = np.linspace(0, 1, 100)
