@@ -7,15 +7,18 @@
 
 namespace percolith::mechanics {
 
-/// Energy of the rock strained from its in-situ stress, J/m: sum of A (E.D.E/2 + S_0.E).
-[[nodiscard]] double elastic_energy(const Model& model, const Execution& execution);
+/// Energy of the rock strained from its in-situ stress, J/m: sum of A (E.D.E/2 + S_0.E); `back` as
+/// in `triangle_strain`.
+[[nodiscard]] double elastic_energy(const Model& model, const Execution& execution,
+                                    double back = 0.0);
 
 /// Energy that bonded joints would give back along their secants and closed ones from their
 /// springs, J/m; in-situ stress counts from the start.
 [[nodiscard]] double stored_in_joints(const Model& model, const JointTable& table,
-                                      const Execution& execution);
+                                      const Execution& execution, double back = 0.0);
 
-/// Energy balance since time zero, J/m. Works and kinetic energy are those of the discrete motion
+/// Energy balance from time zero to the positions before the last step, whose forces moved it, J/m.
+/// Works and kinetic energy are those of the discrete motion
 /// and close to round-off; elastic energy and the energy in joints are functions of the state, so
 /// that `residual` shows the error of the integration in time.
 struct EnergyBalance {

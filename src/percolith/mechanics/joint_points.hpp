@@ -13,10 +13,12 @@ struct JointPoints {
   std::array<material::JointTraction<double>, 2> traction{};  ///< Pa; of the bond, 0 without one
 };
 
-/// Opening and slip of any joint, and the traction of its bond with the memory as it stands.
-[[nodiscard]] JointPoints joint_points(const Model& model, const JointTable& table, Index joint);
+/// Opening and slip of any joint, and the traction of its bond with the memory as it stands; `back`
+/// (s): where its corners were that long ago, within the last step.
+[[nodiscard]] JointPoints joint_points(const Model& model, const JointTable& table, Index joint,
+                                       double back = 0.0);
 
 /// Opening and slip alone.
-[[nodiscard]] JointPoints joint_openings(const Model& model, Index joint);
+[[nodiscard]] JointPoints joint_openings(const Model& model, Index joint, double back = 0.0);
 
 }  // namespace percolith::mechanics

@@ -11,7 +11,8 @@ struct TriangleStrain {
   Gradient<double> gradient;  ///< H
   Tensor strain;              ///< Green strain
 };
-[[nodiscard]] TriangleStrain triangle_strain(const Model& model, Index triangle);
+/// `back` (s): where the triangle was that long ago, within the last step.
+[[nodiscard]] TriangleStrain triangle_strain(const Model& model, Index triangle, double back = 0.0);
 
 /// Stress of a triangle without its viscous part: Cauchy stress in the plane, and across it, Pa.
 struct TriangleStress {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/simulation/solid_boundaries.hpp"
 #include "percolith/simulation/solid_run.hpp"
 
 #include <fmt/format.h>
@@ -35,16 +36,12 @@ void add_energies(const mechanics::EnergyBalance& b, std::vector<NamedValue>& va
                                {"residual_J_per_m", b.residual}});
 }
 
-void add_supports(const mechanics::Dynamics& dynamics, std::vector<NamedValue>& values) {
-  const mechanics::SupportSet& supports = dynamics.supports();
-  const auto reaction = supports.reactions(dynamics.model());
-  const auto displacement = supports.displacements(dynamics.model());
-  for (std::size_t i = 0; i < supports.tables().size(); ++i) {
-    const std::string& name = supports.tables()[i];
-    values.insert(values.end(), {{name + ".reaction_x_N_per_m", reaction[i].x},
-                                 {name + ".reaction_y_N_per_m", reaction[i].y},
-                                 {name + ".displacement_x_m", displacement[i].x},
-                                 {name + ".displacement_y_m", displacement[i].y}});
+void add_boundaries(const SolidRun& run, std::vector<NamedValue>& values) {
+  for (const BoundaryState& state : boundary_states(run.setup, run.dynamics)) {
+    values.insert(values.end(), {{state.name + ".reaction_x_N_per_m", state.force.x},
+                                 {state.name + ".reaction_y_N_per_m", state.force.y},
+                                 {state.name + ".displacement_x_m", state.displacement.x},
+                                 {state.name + ".displacement_y_m", state.displacement.y}});
   }
 }
 
@@ -96,7 +93,7 @@ HistoryRow solid_history_row(SolidRun& run, double step_size) {
                        {{"broken_joints", static_cast<double>(run.broken.count)},
                         {"fragments", static_cast<double>(run.fragments.area.size())},
                         {"unbalanced_ratio", run.dynamics.unbalanced_ratio()}});
-  add_supports(run.dynamics, row.mechanics);
+  add_boundaries(run, row.mechanics);
   return row;
 }
 
