@@ -64,7 +64,7 @@ Dynamics::Dynamics(Model model, LoadList loads, SupportSet supports, ContactProp
     buffers_.resize(model_.mesh.corners());
   }
   model_.energy.kinetic = start_.kinetic;
-  renew_contact({});
+  start_contact();
 }
 
 Changes Dynamics::advance(double dt, Execution& execution) {
@@ -80,7 +80,7 @@ Changes Dynamics::advance(double dt, Execution& execution) {
   const auto start = std::chrono::steady_clock::now();
   Changes changes = break_failed_joints(model_, table_);
   if (changes.any()) {
-    renew_contact(changes.parted);
+    renew_contact(changes);
   }
   execution.book("breakage", start);
   return changes;
@@ -125,14 +125,34 @@ void Dynamics::book(const LaneTotals<terms>& totals, double dt) {
   travelled_ = std::sqrt(totals.peak) * dt;
 }
 
-void Dynamics::renew_contact(std::span<const ClosedJointEnd> parted) {
-  const std::vector<std::uint8_t> candidate = contact_candidates(model_);
-  std::vector<std::uint8_t> faces_touch(model_.mesh.joint.size());
-  for (std::size_t j = 0; j < faces_touch.size(); ++j) {
-    faces_touch[j] = model_.joints.state[j] == JointState::broken ? 1 : 0;
+void Dynamics::start_contact() {
+  candidate_ = contact_candidates(model_);
+  faces_touch_.resize(model_.mesh.joint.size());
+  for (std::size_t j = 0; j < faces_touch_.size(); ++j) {
+    faces_touch_[j] = model_.joints.state[j] == JointState::broken ? 1 : 0;
   }
-  contact_.topology_changed(model_.mesh, {candidate, &model_.fans, faces_touch});
-  for (const ClosedJointEnd& end : parted) {
+  contact_.topology_changed(model_.mesh, {candidate_, &model_.fans, faces_touch_});
+}
+
+void Dynamics::renew_contact(const Changes& changes) {
+  std::vector<Index> changed;
+  for (const Breakage& b : changes.broke) {
+    changed.push_back(b.joint);
+  }
+  for (const ClosedJointEnd& end : changes.parted) {
+    changed.push_back(end.joint);
+  }
+  for (const Index j : changed) {
+    faces_touch_[at(j)] = model_.joints.state[at(j)] == JointState::broken ? 1 : 0;
+    for (const Index v : model_.mesh.joint[at(j)].vertex) {
+      for (const Index corner : model_.mesh.vertex_corners.row(v)) {
+        const Index t = mesh::triangle_of(corner);
+        candidate_[at(t)] = model_.triangles.inverse_mass[at(t)] > 0.0 ? 1 : 0;
+      }
+    }
+  }
+  contact_.topology_changed(model_.mesh, {candidate_, &model_.fans, faces_touch_}, changed);
+  for (const ClosedJointEnd& end : changes.parted) {
     if (end.normal_force > 0.0) {
       contact_.hand_over(model_.mesh, {end.joint, end.normal_force, end.shear_on_first});
     }
@@ -141,7 +161,7 @@ void Dynamics::renew_contact(std::span<const ClosedJointEnd> parted) {
 
 void Dynamics::take_out(std::span<const Index> triangles, double duration) {
   loads_.add_fading(model_.mesh, remove_triangles(model_, table_, triangles, duration));
-  renew_contact({});
+  start_contact();
 }
 
 double Dynamics::unbalanced_ratio() const {

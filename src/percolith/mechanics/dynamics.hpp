@@ -41,7 +41,8 @@ public:
 private:
   LaneTotals<terms> move(double dt, Execution& execution);
   void book(const LaneTotals<terms>& totals, double dt);
-  void renew_contact(std::span<const ClosedJointEnd> parted);
+  void start_contact();
+  void renew_contact(const Changes& changes);
 
   Model model_;
   JointTable table_;
@@ -49,6 +50,8 @@ private:
   SupportSet supports_;
   std::vector<double> contact_penalty_;
   Contact contact_;
+  std::vector<std::uint8_t> candidate_;    // per triangle, see `contact_candidates`
+  std::vector<std::uint8_t> faces_touch_;  // per joint: 1 where it is broken
   NodeBuffers buffers_;
   EnergyStart start_;
   double travelled_ = 0.0;  // in the last step, m

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace percolith {
@@ -25,6 +28,29 @@ struct Curve {
     const Real value = Lane::load(x + lane.first);
     const Real bent = value * value * (Real(3.0) - Real(2.0) * value) / (value + Real(0.1));
     Lane::store(y + lane.first, select(value > Real(0.5), bent, -bent));
+  }
+};
+
+/// Doubles every third element: picks them, and puts them back by their numbers.
+struct EveryThird {
+  double* x;
+  template <class Lane>
+  void operator()(Lane lane, std::int32_t end) const {
+    std::vector<std::int32_t> picked;
+    for (std::int32_t i = lane.first; i < end; ++i) {
+      if (i % 3 == 0) {
+        picked.push_back(i);
+      }
+    }
+    const std::size_t count = picked.size();
+    if (count == 0) {
+      return;
+    }
+    picked.resize(count + block_width, picked.back());
+    for (std::size_t k = 0; k < count; k += Lane::width) {
+      const auto value = Lane::gather(x, &picked[k]);
+      Lane::scatter(x, &picked[k], value + value);
+    }
   }
 };
 
@@ -69,6 +95,41 @@ TEST(Execution, VisitsEveryElementOnce) {
       }
       EXPECT_EQ(visits.back(), 0);
     }
+  }
+}
+
+TEST(Execution, ChunksMayPickTheirElements) {
+  constexpr std::int32_t n = 5001;
+  for (const auto& [backend, threads] :
+       {std::pair{Backend::serial, 1}, {Backend::host, 1}, {Backend::host, 2}}) {
+    std::vector<double> x(n);
+    for (std::int32_t i = 0; i < n; ++i) {
+      x[static_cast<std::size_t>(i)] = i;
+    }
+    Execution(backend, threads).for_each_chunk("chunks", n, 40, EveryThird{x.data()});
+    for (std::int32_t i = 0; i < n; ++i) {
+      ASSERT_EQ(x[static_cast<std::size_t>(i)], i % 3 == 0 ? 2.0 * i : i);
+    }
+  }
+}
+
+template <class Lane>
+std::array<double, 2> extremes(double a, double b) {
+  std::array<double, block_width> out;
+  Lane::store(out.data(), larger(typename Lane::Real(a), typename Lane::Real(b)));
+  const double most = out[0];
+  Lane::store(out.data(), smaller(typename Lane::Real(a), typename Lane::Real(b)));
+  return {most, out[0]};
+}
+
+TEST(Lanes, AFirstArgumentThatIsNoNumberLosesAndOfEqualZerosTheSecondIsTaken) {
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& find : {extremes<ScalarLane>, extremes<VectorLane>}) {
+    EXPECT_EQ(find(1.0, 2.0), (std::array{2.0, 1.0}));
+    EXPECT_EQ(find(nothing, 2.0), (std::array{2.0, 2.0}));
+    EXPECT_TRUE(std::isnan(find(2.0, nothing)[0]) && std::isnan(find(2.0, nothing)[1]));
+    EXPECT_TRUE(std::signbit(find(0.0, -0.0)[0]) && std::signbit(find(0.0, -0.0)[1]));
+    EXPECT_FALSE(std::signbit(find(-0.0, 0.0)[0]) || std::signbit(find(-0.0, 0.0)[1]));
   }
 }
 

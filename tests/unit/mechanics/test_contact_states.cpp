@@ -78,7 +78,7 @@ TEST(ContactStates, TwoTrianglesCollideElastically) {
     }
     least = std::min(least, kinetic());
     if (least < before) {
-      EXPECT_NEAR(kinetic() + bodies.contact().potential_energy(), before, 1e-2 * before);
+      EXPECT_NEAR(kinetic() + bodies.potential_energy(), before, 1e-2 * before);
     }
     if (touched > 0 && bodies.contact().touching_pairs() == 0) {
       break;
@@ -137,7 +137,7 @@ TEST(ContactStates, AnOverlapThatIsThereAtFirstIsTakenOffAndWorkedOff) {
   press(bodies, 1e-3);
   bodies.advance();
   EXPECT_NEAR(size_of(bodies.force(1)), 0.0, 1e-12 * raw_force(1e-3));
-  EXPECT_EQ(bodies.contact().potential_energy(), 0.0);
+  EXPECT_EQ(bodies.potential_energy(), 0.0);
   const auto expect = [&](double depth, double force) {
     bodies.advance(1e-3);
     EXPECT_NEAR(size_of(bodies.force(1)), force, 1e-9 * raw_force(depth)) << depth;
@@ -324,7 +324,7 @@ TEST(ContactStates, EveryCornerForceIsTheDerivativeOfTheReportedEnergy) {
       const auto energy = [&](double by) {
         bodies.uy()[bodies.slot(t, k)] += by;
         bodies.advance(1.0);
-        const double value = bodies.contact().potential_energy();
+        const double value = bodies.potential_energy();
         bodies.uy()[bodies.slot(t, k)] -= by;
         return value;
       };

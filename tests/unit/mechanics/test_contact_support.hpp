@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -76,9 +77,10 @@ public:
     return Bodies(std::move(file), material);
   }
 
-  void refresh() {
+  /// Tells the contact that these joints broke; none: that all may have changed.
+  void refresh(std::span<const Index> broken = {}) {
     const mesh::NodeMap fans(mesh_, tied_);
-    contact_.topology_changed(mesh_, {candidate_, &fans, touch_});
+    contact_.topology_changed(mesh_, {candidate_, &fans, touch_}, broken);
   }
   void move(Index triangle, Point by) {
     for (Index k = 0; k < 3; ++k) {
@@ -114,6 +116,9 @@ public:
     return at(mesh::corner_of(number_[at(triangle)], k));
   }
   [[nodiscard]] CornerMotion motion() const { return {ux_, uy_, vx_, vy_}; }
+  [[nodiscard]] double potential_energy() const {
+    return contact_.potential_energy(mesh_, motion());
+  }
   [[nodiscard]] const mesh::Mesh& mesh() const { return mesh_; }
   [[nodiscard]] Index triangle(Index given) const { return number_[at(given)]; }
   Contact& contact() { return contact_; }

@@ -60,7 +60,7 @@ std::vector<Index> triangles_at(const mesh::Mesh& mesh, const ContactTopology& t
 struct Gather {
   const Index* blocks;
   const PairRows* rows;
-  const Index* place;
+  const Index* place;  // of the forces of each pair
   const double* force;
   Index triangles;
   double* force_x;
@@ -97,8 +97,8 @@ private:
       const auto part = row.first(std::min(row.size(), most));
       std::size_t count = 0;
       for (const Index entry : part) {
-        const Index p = place[entry / 2];
-        found[count] = force_at(p) + entry % 2 * forces_of_side;
+        const Index p = place[pair_of(entry)];
+        found[count] = p + side_of(entry) * PairForceBlock::side;
         count += p != mesh::none ? 1 : 0;
       }
       for (std::size_t i = 0; i < count; ++i) {
@@ -194,11 +194,15 @@ void Contact::advance(const mesh::Mesh& mesh, const CornerMotion& motion, double
   apply_hand_overs();
   execution.for_each_chunk(
       "contact force", states_.size(), pair_chunk,
-      PairForces{&states_, &records_, &undeformed_, motion, handed_, travelled_, dt, starts_});
+      PairForces{&states_, forces_.data(), &undeformed_, motion, handed_, travelled_, dt, starts_});
   starts_ = false;
+  if (forces_.empty()) {
+    return;
+  }
   execution.for_each("contact force", static_cast<Index>(blocks_.size()),
-                     Gather{blocks_.data(), &rows_, states_.place.data(), records_.force.data(),
-                            mesh.triangles(), force_x_.data(), force_y_.data(), acts_.data()});
+                     Gather{blocks_.data(), &rows_, states_.force.data(),
+                            forces_.front().value.data(), mesh.triangles(), force_x_.data(),
+                            force_y_.data(), acts_.data()});
 }
 
 }  // namespace percolith::mechanics

@@ -87,11 +87,12 @@ public:
   [[nodiscard]] double friction_dissipation() const;
   /// Energy in the tangential springs of all pairs, J/m. What a joint hands over appears here.
   [[nodiscard]] double stored_tangential() const;
-  /// Energy of the normal forces at the last `advance`, J/m: for each pair
+  /// Energy of the normal forces of the last `advance` at the positions it was given, J/m: for each
+  /// pair
   /// factor p (A0_a/A_a int phi_a dA + A0_b/A_b int phi_b dA), see `overlap_force`. Of a pair with
   /// an offset only the share (1 - offset/(factor |f|))^2 counts, exact for a force that grows
   /// with the depth.
-  [[nodiscard]] double potential_energy() const;
+  [[nodiscard]] double potential_energy(const mesh::Mesh& mesh, const CornerMotion& motion) const;
   /// Pairs that are looked at, and those of them that overlap.
   [[nodiscard]] Index listed_pairs() const { return states_.size(); }
   [[nodiscard]] Index touching_pairs() const;
@@ -106,6 +107,8 @@ public:
   overlapping(const mesh::Mesh& mesh, const CornerMotion& motion, double share = 1e-6) const;
 
 private:
+  [[nodiscard]] PlacedTriangle placed(const mesh::Mesh& mesh, const CornerMotion& motion,
+                                      Index triangle) const;
   [[nodiscard]] std::vector<PlacedTriangle>
   place(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution) const;
   [[nodiscard]] Surface surface_of(const mesh::Mesh& mesh, Index triangle) const;
@@ -113,6 +116,7 @@ private:
   void search(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution);
   void carry_over(PairStates& states, const PairRows& rows);
   void add_pairs(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution);
+  void make_room();
   void set_blocks();
   void apply_hand_overs();
   void clear_forces();
@@ -130,7 +134,7 @@ private:
   std::vector<Index> loosened_;        // triangles at joints that broke since the last step
   PairStates states_;
   PairRows rows_;
-  PairRecords records_;
+  std::vector<PairForceBlock> forces_;  // only grows; most of it is not in use
   std::vector<PairHandOver> handed_;
   std::vector<PendingHandOver> pending_;
   bool stale_ = true;                    // the pairs must be searched

@@ -13,28 +13,6 @@ namespace {
 // Of the mean edge of the candidates: a wider margin means fewer searches, but more pairs.
 constexpr double margin_share = 0.2;
 
-/// Brings what the corner slots hold into one place for each candidate.
-struct Place {
-  const mesh::Mesh* mesh;
-  CornerMotion motion;
-  const CornerPlaces* undeformed;
-  const Candidate* candidate;
-  PlacedTriangle* placed;
-
-  void operator()(ScalarLane lane) const {
-    const Index first = mesh::corner_of(candidate[lane.first].triangle, 0);
-    const auto shift = [&](Index k) {
-      const auto slot = at(first + k * block_width);
-      return Point{motion.ux[slot], motion.uy[slot]};
-    };
-    const auto leg = [&](Index k) {
-      const auto slot = at(first + k * block_width);
-      return Point{undeformed->x[slot], undeformed->y[slot]} + (shift(k) - shift(0));
-    };
-    placed[lane.first] = {mesh->place_of(first), shift(0), leg(1), leg(2)};
-  }
-};
-
 double mean_edge(std::span<const PlacedTriangle> placed) {
   double sum = 0.0;
   double count = 0.0;
@@ -52,12 +30,35 @@ double mean_edge(std::span<const PlacedTriangle> placed) {
 
 }  // namespace
 
+PlacedTriangle Contact::placed(const mesh::Mesh& mesh, const CornerMotion& motion,
+                               Index triangle) const {
+  const Index first = mesh::corner_of(triangle, 0);
+  const auto shift = [&](Index k) {
+    const auto slot = at(first + k * block_width);
+    return Point{motion.ux[slot], motion.uy[slot]};
+  };
+  const auto leg = [&](Index k) {
+    const auto slot = at(first + k * block_width);
+    return Point{undeformed_.x[slot], undeformed_.y[slot]} + (shift(k) - shift(0));
+  };
+  return {mesh.place_of(first), shift(0), leg(1), leg(2)};
+}
+
 std::vector<PlacedTriangle> Contact::place(const mesh::Mesh& mesh, const CornerMotion& motion,
                                            Execution& execution) const {
-  std::vector<PlacedTriangle> placed(candidates_.size());
-  execution.for_each("contact search", static_cast<Index>(candidates_.size()),
-                     Place{&mesh, motion, &undeformed_, candidates_.data(), placed.data()});
-  return placed;
+  std::vector<PlacedTriangle> all(candidates_.size());
+  execution.for_each("contact search", static_cast<Index>(all.size()), [&](ScalarLane lane) {
+    const auto i = at(lane.first);
+    all[i] = placed(mesh, motion, candidates_[i].triangle);
+  });
+  return all;
+}
+
+void Contact::make_room() {
+  const auto blocks = at(padded(states_.size()) / block_width);
+  if (blocks > forces_.size()) {
+    forces_.resize(blocks + blocks / 8);
+  }
 }
 
 Surface Contact::surface_of(const mesh::Mesh& mesh, Index triangle) const {
@@ -72,9 +73,9 @@ void Contact::add_pair(const mesh::Mesh& mesh, Index a, Index b, PairStates& sta
 }
 
 void Contact::search(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution) {
-  const std::vector<PlacedTriangle> placed = place(mesh, motion, execution);
-  margin_ = margin_share * mean_edge(placed);
-  const PairList list = find_pairs(candidates_, placed, margin_, execution);
+  const std::vector<PlacedTriangle> all = place(mesh, motion, execution);
+  margin_ = margin_share * mean_edge(all);
+  const PairList list = find_pairs(candidates_, all, margin_, execution);
   const auto start = std::chrono::steady_clock::now();
   PairStates states;
   states.reserve(list.pair.size() + list.pair.size() / 8);
@@ -85,7 +86,7 @@ void Contact::search(const mesh::Mesh& mesh, const CornerMotion& motion, Executi
   carry_over(states, rows);
   states_ = std::move(states);
   rows_ = std::move(rows);
-  records_.make_room(states_.size());
+  make_room();
   clear_forces();
   loosened_.clear();
   travelled_ = 0.0;
@@ -96,29 +97,27 @@ void Contact::search(const mesh::Mesh& mesh, const CornerMotion& motion, Executi
 
 void Contact::carry_over(PairStates& states, const PairRows& rows) {
   for (Index old = 0; old < states_.size(); ++old) {
+    const PairState<double>& state = states_.state[at(old)];
     const auto [a, b] = states_.triangles(old);
-    friction_dissipation_ += states_.loss[at(old)];
+    friction_dissipation_ += state.loss;
     const Index p = rows.find(states, a, b);
     if (p == mesh::none) {
-      friction_dissipation_ += states_.stored[at(old)];
+      friction_dissipation_ += state.stored;
       continue;
     }
-    states.factor[at(p)] = states_.factor[at(old)];
-    states.offset[at(p)] = states_.offset[at(old)];
-    states.tangential[at(p)] = states_.tangential[at(old)];
-    states.stored[at(p)] = states_.stored[at(old)];
-    states.depth[at(p)] = states_.depth[at(old)];
+    states.state[at(p)] = state;
+    states.state[at(p)].loss = 0.0;
     states.rest[at(p)] = std::max(0.0, states_.rest[at(old)] - travelled_);
     states.start[at(p)] = PairStart::none;
   }
 }
 
 void Contact::add_pairs(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution) {
-  const std::vector<PlacedTriangle> placed = place(mesh, motion, execution);
   const auto start = std::chrono::steady_clock::now();
   std::sort(loosened_.begin(), loosened_.end());
   loosened_.erase(std::unique(loosened_.begin(), loosened_.end()), loosened_.end());
-  for (const auto& [a, b] : find_pairs_of(loosened_, candidates_, placed, margin_)) {
+  const auto where = [&](Index triangle) { return placed(mesh, motion, triangle); };
+  for (const auto& [a, b] : find_pairs_of(loosened_, candidates_, where, margin_)) {
     const Index first = candidates_[at(a)].triangle;
     const Index second = candidates_[at(b)].triangle;
     if (rows_.find(states_, first, second) == mesh::none) {
@@ -127,7 +126,7 @@ void Contact::add_pairs(const mesh::Mesh& mesh, const CornerMotion& motion, Exec
       starts_ = true;
     }
   }
-  records_.make_room(states_.size());
+  make_room();
   loosened_.clear();
   execution.book("contact search", start);
 }

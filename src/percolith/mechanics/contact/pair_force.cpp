@@ -28,9 +28,14 @@ void take_over(const PairHandOver& handed, double raw, const Point& along,
 /// How pairs take up a force that is there when they are looked at for the first time; `seen`
 /// becomes zero for them.
 template <class Lane>
-void take_up(const PairForces& of, const Index* pair, typename Lane::Real raw,
+void take_up(const PairLanes<Lane>& lanes, typename Lane::Real raw,
              const Vec2<typename Lane::Real>& along, PairState<typename Lane::Real>& state,
              typename Lane::Real& seen) {
+  const auto& starts = lanes.of->states->start;
+  if (std::all_of(lanes.pair, lanes.pair + Lane::width,
+                  [&](Index p) { return starts[at(p)] == PairStart::none; })) {
+    return;
+  }
   using Row = std::array<double, Lane::width>;
   Row force, x, y, factor, offset, tangential, known;
   const auto exchange = [&](const auto& move) {
@@ -44,13 +49,13 @@ void take_up(const PairForces& of, const Index* pair, typename Lane::Real raw,
   Lane::store(x.data(), along.x);
   Lane::store(y.data(), along.y);
   for (std::size_t i = 0; i < Lane::width; ++i) {
-    const PairStart start = of.states->start[at(pair[i])];
+    const PairStart start = starts[at(lanes.pair[i])];
     known[i] = start == PairStart::none ? 1.0 : 0.0;
     if (start == PairStart::fresh) {
       offset[i] = force[i];
     } else if (start == PairStart::handed) {
       const auto found = std::lower_bound(
-          of.handed.begin(), of.handed.end(), pair[i],
+          lanes.of->handed.begin(), lanes.of->handed.end(), lanes.pair[i],
           [](const PairHandOver& entry, Index wanted) { return entry.pair < wanted; });
       PairState<double> one{};
       take_over(*found, force[i], {x[i], y[i]}, one);
@@ -87,11 +92,12 @@ Vec2<Real> weighted(const std::array<Vec2<Real>, 3>& value, const std::array<Rea
 
 /// Normal and tangential forces of pairs that touch; the state is advanced.
 template <class Lane>
-PairCornerForces<typename Lane::Real>
-press(const PairForces& of, const Index* pair, const PairSlots<Lane>& slots,
-      const OverlapForces<typename Lane::Real>& overlap, PairState<typename Lane::Real>& state) {
+PairCornerForces<typename Lane::Real> press(const PairLanes<Lane>& lanes,
+                                            const OverlapForces<typename Lane::Real>& overlap,
+                                            PairState<typename Lane::Real>& state) {
   using Real = typename Lane::Real;
   const Real zero(0.0);
+  const PairForces& of = *lanes.of;
   const Real raw = square_root(dot(overlap.total, overlap.total));
   const auto pushes = raw > zero;
   const Real inverse = select(pushes, Real(1.0) / select(pushes, raw, Real(1.0)), zero);
@@ -99,7 +105,7 @@ press(const PairForces& of, const Index* pair, const PairSlots<Lane>& slots,
   const Vec2<Real> along{-normal.y, normal.x};
   Real seen(1.0);
   if (of.starts) {
-    take_up<Lane>(of, pair, raw, along, state, seen);
+    take_up<Lane>(lanes, raw, along, state, seen);
   }
   // A force that has fallen below the offset takes the offset with it: what is not given back now
   // is given never.
@@ -107,13 +113,12 @@ press(const PairForces& of, const Index* pair, const PairSlots<Lane>& slots,
   state.offset = smaller(scaled, state.offset);
   const Real force = scaled - state.offset;
   const Real stiffness =
-      Lane::gather(of.states->tangential_penalty.data(), pair) * extent_along(overlap, along);
-  const auto first = slots.corners(0, of.motion.vx, of.motion.vy);
-  const auto second = slots.corners(1, of.motion.vx, of.motion.vy);
+      lanes.gather(lanes.nature().tangential_penalty) * extent_along(overlap, along);
+  const auto first = lanes.corners(0, of.motion.vx, of.motion.vy);
+  const auto second = lanes.corners(1, of.motion.vx, of.motion.vy);
   const Real speed =
       dot(weighted(first, overlap.centre[0]) - weighted(second, overlap.centre[1]), along);
-  rub(stiffness, speed * Real(of.dt), Lane::gather(of.states->friction.data(), pair) * force, seen,
-      state);
+  rub(stiffness, speed * Real(of.dt), lanes.gather(lanes.nature().friction) * force, seen, state);
   state.depth = extent_along(overlap, normal);
   const Real scale = inverse * force;
   const Vec2<Real> shear = state.tangential * along;
@@ -125,6 +130,25 @@ press(const PairForces& of, const Index* pair, const PairSlots<Lane>& slots,
   return result;
 }
 
+/// The state of pairs that have parted: nothing is remembered.
+template <class Real>
+PairState<Real> parted(const PairState<Real>& state) {
+  PairState<Real> left;
+  left.loss = state.loss + state.stored;
+  return left;
+}
+
+template <class Mask, class Real>
+PairState<Real> choose(const Mask& condition, const PairState<Real>& yes,
+                       const PairState<Real>& no) {
+  return {select(condition, yes.factor, no.factor),
+          select(condition, yes.offset, no.offset),
+          select(condition, yes.tangential, no.tangential),
+          select(condition, yes.stored, no.stored),
+          select(condition, yes.loss, no.loss),
+          select(condition, yes.depth, no.depth)};
+}
+
 }  // namespace
 
 template <class Lane>
@@ -132,39 +156,43 @@ void PairForces::advance(const Index* pair, Index count, Index place) const {
   using Real = typename Lane::Real;
   const Real zero(0.0);
   const Real one(1.0);
-  const PairSlots<Lane> slots(*states, pair);
-  const PairPlaces<Real> now = places_of<Lane>(*this, pair, slots);
+  const PairLanes<Lane> lanes(*this, pair);
+  const PairPlaces<Real> now = lanes.places();
   const std::array<Real, 2> area{twice_area(now.first), twice_area(now.second)};
   const auto solid = area[0] > zero && area[1] > zero;
   const PairSides<Real> sides = pair_sides(now);
   const auto apart = solid && separated(sides);
   const auto touch = solid && !apart;
-  PairState<Real> state = load_state<Lane>(*states, pair);
-  // What has parted remembers nothing.
-  PairState<Real> parted{one, zero, zero, zero, state.loss + state.stored, zero, zero};
+  PairState<Real> state = lanes.load_state();
+  PairState<Real> left = parted(state);
+  Real rest(0.0);
   if (any(apart)) {
     const Real gap = select(apart, gap_between(now, sides), zero);
-    parted.rest = select(gap > zero, Real(travelled) + Real(gap_share) * gap, zero);
+    rest = select(gap > zero, Real(travelled) + Real(gap_share) * gap, zero);
   }
   if (any(touch)) {
     const std::array<Real, 2> safe{select(touch, area[0], one), select(touch, area[1], one)};
-    const std::array<Real, 2> penalty{Lane::gather(states->stiffness_first.data(), pair) / safe[0],
-                                      Lane::gather(states->stiffness_second.data(), pair) /
-                                          safe[1]};
-    state.rest = zero;
-    const auto forces =
-        press<Lane>(*this, pair, slots, overlap_force(now, sides, safe, penalty), state);
-    store_forces<Lane>(*records, place, forces);
-    store_places<Lane>(*records, place, now);
+    const auto& stiffness = lanes.nature().stiffness;
+    const std::array<Real, 2> penalty{lanes.gather(stiffness[0]) / safe[0],
+                                      lanes.gather(stiffness[1]) / safe[1]};
+    store_forces<Lane>(forces->value.data() + force_at(place),
+                       press<Lane>(lanes, overlap_force(now, sides, safe, penalty), state));
   }
-  store_state<Lane>(*states, pair, choose(touch, state, parted));
-  std::array<double, Lane::width> touching;
-  Lane::store(touching.data(), select(touch, one, zero));
+  lanes.store_state(choose(touch, state, left));
+  Lane::scatter(states->rest.data(), pair, rest);
+  note<Lane>(pair, count, place, select(touch, one, zero));
+}
+
+/// Notes where the forces are of those pairs whose `touching` is not zero.
+template <class Lane>
+void PairForces::note(const Index* pair, Index count, Index place,
+                      typename Lane::Real touching) const {
+  std::array<double, Lane::width> touches;
+  Lane::store(touches.data(), touching);
+  const Index first = force_at(place);
   for (Index i = 0; i < count; ++i) {
-    states->place[at(pair[i])] = touching[at(i)] > 0.0 ? place + i : mesh::none;
-  }
-  if (starts) {
-    for (Index i = 0; i < count; ++i) {
+    states->force[at(pair[i])] = touches[at(i)] > 0.0 ? first + i : mesh::none;
+    if (starts) {
       states->start[at(pair[i])] = PairStart::none;
     }
   }

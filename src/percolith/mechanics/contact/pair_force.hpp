@@ -36,7 +36,7 @@ inline constexpr Index pair_chunk = 256;
 /// the pairs that may meet are put side by side, as many as a register holds.
 struct PairForces {
   PairStates* states;
-  PairRecords* records;
+  PairForceBlock* forces;  ///< room for all pairs
   const CornerPlaces* undeformed;
   CornerMotion motion;
   std::span<const PairHandOver> handed;  ///< ascending pairs
@@ -58,15 +58,28 @@ struct PairForces {
     // What is left of the last register repeats a pair of it, and comes to the same.
     std::fill_n(active.begin() + count, block_width, active[at(count) - 1]);
     for (Index k = 0; k < count; k += Lane::width) {
+      fetch(active.data() + std::min(k + pairs_ahead, count));
       advance<Lane>(active.data() + k, std::min(count - k, Lane::width), lane.first + k);
     }
   }
 
 private:
-  /// Handles the pairs of a lane, of which `count` are different, and puts their records from
+  /// So many pairs further on is what is asked for early.
+  static constexpr Index pairs_ahead = 2 * block_width;
+
+  /// Asks for the lines of a block of pairs.
+  void fetch(const Index* pair) const {
+    for (Index i = 0; i < block_width; ++i) {
+      prefetch(&states->nature[at(pair[i])].apart.x);
+      prefetch(&states->state[at(pair[i])].factor);
+    }
+  }
+  /// Handles the pairs of a lane, of which `count` are different, and puts their forces from
   /// `place` on.
   template <class Lane>
   void advance(const Index* pair, Index count, Index place) const;
+  template <class Lane>
+  void note(const Index* pair, Index count, Index place, typename Lane::Real touching) const;
 };
 
 extern template void PairForces::advance<ScalarLane>(const Index*, Index, Index) const;

@@ -8,7 +8,7 @@ namespace {
 
 /// The triangle an entry leads to.
 Index partner(const PairStates& states, Index entry) {
-  return states.triangles(entry / 2)[at(1 - entry % 2)];
+  return states.triangles(pair_of(entry))[at(1 - side_of(entry))];
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ PairRows::PairRows(const PairStates& states, Index triangles) : rows_(at(triangl
     const auto pair = states.triangles(p);
     for (Index side = 0; side < 2; ++side) {
       Row& row = rows_[at(pair[at(side)])];
-      entries_[at(row.start + row.count++)] = 2 * p + side;
+      entries_[at(row.start + row.count++)] = pair_entry(p, side);
     }
   }
 }
@@ -51,13 +51,13 @@ Index PairRows::find(const PairStates& states, Index triangle, Index other) cons
   const Index place = place_of(states, triangle, other);
   const bool there =
       place < static_cast<Index>(own.size()) && partner(states, own[at(place)]) == other;
-  return there ? own[at(place)] / 2 : mesh::none;
+  return there ? pair_of(own[at(place)]) : mesh::none;
 }
 
 void PairRows::insert(const PairStates& states, Index pair) {
   const auto [a, b] = states.triangles(pair);
-  insert(states, a, b, 2 * pair);
-  insert(states, b, a, 2 * pair + 1);
+  insert(states, a, b, pair_entry(pair, 0));
+  insert(states, b, a, pair_entry(pair, 1));
 }
 
 void PairRows::insert(const PairStates& states, Index triangle, Index other, Index entry) {

@@ -8,8 +8,19 @@
 
 namespace percolith::mechanics {
 
-/// The pairs of every triangle, ascending in the triangle they are with. An entry is twice the
-/// number of the pair, plus one where the triangle is the second one.
+/// An entry of a row of pairs: twice the number of the pair, plus one where the triangle whose row
+/// it is is the second one.
+constexpr Index pair_entry(Index pair, Index side) {
+  return 2 * pair + side;
+}
+constexpr Index pair_of(Index entry) {
+  return entry >> 1;
+}
+constexpr Index side_of(Index entry) {
+  return entry & 1;
+}
+
+/// The pairs of every triangle, ascending in the triangle they are with.
 class PairRows {
 public:
   PairRows() = default;

@@ -180,7 +180,7 @@ PairList find_pairs(std::span<const Candidate> candidates, std::span<const Place
 
 std::vector<std::array<Index, 2>> find_pairs_of(std::span<const Index> triangles,
                                                 std::span<const Candidate> candidates,
-                                                std::span<const PlacedTriangle> placed,
+                                                const std::function<PlacedTriangle(Index)>& placed,
                                                 double margin) {
   std::vector<Index> own;
   std::vector<Box> boxes;
@@ -189,16 +189,16 @@ std::vector<std::array<Index, 2>> find_pairs_of(std::span<const Index> triangles
         std::lower_bound(candidates.begin(), candidates.end(), t,
                          [](const Candidate& c, Index wanted) { return c.triangle < wanted; });
     own.push_back(static_cast<Index>(found - candidates.begin()));
-    boxes.push_back(box_of(placed[at(own.back())], 0.5 * margin));
+    boxes.push_back(box_of(placed(t), 0.5 * margin));
   }
   const CellGrid grid(boxes);
   std::vector<std::array<Index, 2>> pairs;
   for (Index c = 0; c < static_cast<Index>(candidates.size()); ++c) {
-    const Box box = box_of(placed[at(c)], 0.5 * margin);
-    for_each_box(grid, boxes, box, [&](Index i) {
+    const PlacedTriangle here = placed(candidates[at(c)].triangle);
+    for_each_box(grid, boxes, box_of(here, 0.5 * margin), [&](Index i) {
       const Index a = own[at(i)];
       if (a != c && may_touch(candidates[at(a)], candidates[at(c)]) &&
-          are_near(placed[at(a)], placed[at(c)], margin)) {
+          are_near(placed(triangles[at(i)]), here, margin)) {
         pairs.push_back({std::min(a, c), std::max(a, c)});
       }
     });

@@ -6,6 +6,7 @@
 #include "percolith/mechanics/contact/placed_triangle.hpp"
 
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,10 +29,10 @@ struct PairList {
                                   Execution& execution);
 
 /// The pairs of `find_pairs` that have one of the given triangles in it; both lists ascend, and the
-/// triangles are candidates.
+/// triangles are candidates. `placed(t)` tells where a triangle is.
 [[nodiscard]] std::vector<std::array<Index, 2>>
 find_pairs_of(std::span<const Index> triangles, std::span<const Candidate> candidates,
-              std::span<const PlacedTriangle> placed, double margin);
+              const std::function<PlacedTriangle(Index)>& placed, double margin);
 
 /// Whether two triangles are no more than `margin` apart: the test of `find_pairs`.
 [[nodiscard]] bool are_near(const PlacedTriangle& a, const PlacedTriangle& b, double margin);
