@@ -144,7 +144,8 @@ def _write_history(folder: Path, load: float, end: float) -> None:
     _write_table(folder / "history.csv", {
         "time_s": time, "step": np.arange(200), "step_size_s": zero + 1e-8,
         "kinetic_J_per_m": 0.01 * elastic * share, "elastic_J_per_m": elastic,
-        "joint_J_per_m": joint, "contact_J_per_m": 0.1 * joint, "friction_J_per_m": friction,
+        "joint_J_per_m": joint, "fracture_J_per_m": 2 * joint,
+        "contact_J_per_m": 0.1 * joint, "friction_J_per_m": friction,
         "damping_J_per_m": 0.02 * work, "absorbed_J_per_m": zero, "gravity_J_per_m": zero,
         "external_work_J_per_m": work, "residual_J_per_m": 1e-4 * work * np.sin(40 * share),
         "broken_joints": np.floor(60 * np.clip(share - 0.6, 0, None) / 0.4).astype(int),

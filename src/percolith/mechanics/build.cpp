@@ -163,7 +163,9 @@ Model make_model(mesh::Mesh mesh, Ingredients from) {
   std::vector<std::uint8_t> bonded(at(mesh.joints()));
   for (std::size_t j = 0; j < tied.size(); ++j) {
     tied[j] = from.joint_state[j] == JointState::tied ? 1 : 0;
-    bonded[j] = from.joint_state[j] != JointState::closed ? 1 : 0;
+    bonded[j] =
+        from.joint_state[j] != JointState::closed && from.joint_state[j] != JointState::broken ? 1
+                                                                                               : 0;
   }
   Triangles triangles = make_triangles(mesh, from);
   triangles.edge_joint = edge_joints(mesh);

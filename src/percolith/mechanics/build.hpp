@@ -16,8 +16,8 @@ struct Ingredients {
   std::vector<Index> region_material;   ///< per region of the mesh: index of `material`
   std::vector<JointKind> kind;          ///< kinds of joints, at least one
   std::vector<Index> joint_kind;        ///< per joint
-  std::vector<JointState> joint_state;  ///< per joint: any but broken
-  std::vector<double> joint_factor;     ///< per joint, on strengths; empty: all 1
+  std::vector<JointState> joint_state;
+  std::vector<double> joint_factor;  ///< per joint, on strengths; empty: all 1
   Damping damping;
 };
 

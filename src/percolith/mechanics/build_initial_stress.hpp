@@ -34,8 +34,8 @@ void set_initial_stress(Model& model, const Stress& stress_at) {
     const Point across = clockwise(along);
     const auto& ends = mesh.joint[at(j)].vertex;
     for (std::size_t g = 0; g < 2; ++g) {
-      const Point place = gauss_weight[g] * mesh.vertex[at(ends[0])] +
-                          gauss_weight[1 - g] * mesh.vertex[at(ends[1])];
+      const Point place = gauss_weight(g) * mesh.vertex[at(ends[0])] +
+                          gauss_weight(1 - g) * mesh.vertex[at(ends[1])];
       const Point traction = stress_at(place) * across;
       joints.opening_start[g][at(j)] = dot(traction, across) / stiffness;
       joints.slip_start[g][at(j)] = dot(traction, along) / stiffness;

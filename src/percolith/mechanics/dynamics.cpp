@@ -63,6 +63,7 @@ Dynamics::Dynamics(Model model, LoadList loads, SupportSet supports, ContactProp
   if (model_.any_tied) {
     buffers_.resize(model_.mesh.corners());
   }
+  model_.energy.kinetic = start_.kinetic;
   renew_contact({});
 }
 

@@ -10,8 +10,10 @@
 // Opening, slip and forces of one joint (paper section 2.4; theory.md section 10).
 namespace percolith::mechanics {
 
-/// Weights of a joint's end 0 at its two integration points (Gauss); those of end 1 are swapped.
-inline constexpr std::array<double, 2> gauss_weight{0.78867513459481287, 0.21132486540518713};
+/// Weight of a joint's end 0 at integration point 0 or 1 (Gauss); that of end 1 at the other point.
+PERCOLITH_DEVICE constexpr double gauss_weight(std::size_t point) {
+  return point == 0 ? 0.78867513459481287 : 0.21132486540518713;
+}
 
 /// A joint as it lies: unit vectors along it from end 0 to end 1 and across it from side 0 to side
 /// 1, and what side 1 has moved away from side 0 at both ends, m.
@@ -37,8 +39,8 @@ PERCOLITH_DEVICE JointPlace<Real> joint_place(Vec2<Real> edge,
 /// opening, along it the slip.
 template <class Real>
 PERCOLITH_DEVICE Vec2<Real> apart_at(const JointPlace<Real>& place, std::size_t point) {
-  return Real(gauss_weight[point]) * place.apart[0] +
-         Real(gauss_weight[1 - point]) * place.apart[1];
+  return Real(gauss_weight(point)) * place.apart[0] +
+         Real(gauss_weight(1 - point)) * place.apart[1];
 }
 
 /// Forces (N/m) on side 0 at both ends, those on side 1 are opposite: the tractions at the two
@@ -52,8 +54,8 @@ joint_forces(const JointPlace<Real>& place, Real length,
   for (std::size_t g = 0; g < 2; ++g) {
     at_point[g] = half * (t[g].normal * place.across + t[g].shear * place.along);
   }
-  const Real near(gauss_weight[0]);
-  const Real far(gauss_weight[1]);
+  const Real near(gauss_weight(0));
+  const Real far(gauss_weight(1));
   return {near * at_point[0] + far * at_point[1], far * at_point[0] + near * at_point[1]};
 }
 

@@ -174,18 +174,18 @@ struct Move {
   move_corner(Lane lane, Index slot, Vec2<typename Lane::Real> total, Vec2<typename Lane::Real> v,
               typename Lane::Real w, LaneSums<terms>& sums) const {
     using Real = typename Lane::Real;
-    Vec2<Real> drag{Real(0.0), Real(0.0)};
-    if (law.damping_local != 0.0) {
-      drag = {law.local_damping(total.x, v.x), law.local_damping(total.y, v.y)};
-    }
-    const Vec2<Real> free = law.new_velocity(v, total + drag, w);
     const Index record = constrained[slot / mesh::corners_per_block];
     const bool held = record != mesh::none;
-    const Vec2<Real> result = held ? hold<Lane>(record, slot, free, v, w, total, lane, sums) : free;
-    if (!held) {
-      sums.add(static_cast<std::size_t>(Term::unbalanced), lane,
-               magnitude(total.x) + magnitude(total.y));
+    // What a support takes is balanced: it neither moves nor damps the corner.
+    const Vec2<Real> unbalanced = held ? left_free<Lane>(record, slot, total) : total;
+    Vec2<Real> drag{Real(0.0), Real(0.0)};
+    if (law.damping_local != 0.0) {
+      drag = {law.local_damping(unbalanced.x, v.x), law.local_damping(unbalanced.y, v.y)};
     }
+    const Vec2<Real> free = law.new_velocity(v, total + drag, w);
+    const Vec2<Real> result = held ? hold<Lane>(record, slot, free, v, w, lane, sums) : free;
+    sums.add(static_cast<std::size_t>(Term::unbalanced), lane,
+             magnitude(unbalanced.x) + magnitude(unbalanced.y));
     if (law.damping_local != 0.0 || law.damping_nodal != 0.0) {
       if (law.damping_nodal != 0.0) {
         drag = drag - Real(law.damping_nodal) * result;
@@ -195,12 +195,23 @@ struct Move {
     return result;
   }
 
+  /// The part P f of a force that the supports of a record leave to motion.
+  template <class Lane>
+  PERCOLITH_DEVICE Vec2<typename Lane::Real> left_free(Index record, Index slot,
+                                                       Vec2<typename Lane::Real> force) const {
+    using Real = typename Lane::Real;
+    const Index place = record * mesh::corners_per_block + slot % mesh::corners_per_block;
+    const Real xx = Lane::load(pxx + place);
+    const Real xy = Lane::load(pxy + place);
+    const Real yy = Lane::load(pyy + place);
+    return {xx * force.x + xy * force.y, xy * force.x + yy * force.y};
+  }
+
   /// Projects a velocity as the supports of a record say, and keeps their forces.
   template <class Lane>
   PERCOLITH_DEVICE Vec2<typename Lane::Real>
   hold(Index record, Index slot, Vec2<typename Lane::Real> free, Vec2<typename Lane::Real> v,
-       typename Lane::Real w, Vec2<typename Lane::Real> total, Lane lane,
-       LaneSums<terms>& sums) const {
+       typename Lane::Real w, Lane lane, LaneSums<terms>& sums) const {
     using Real = typename Lane::Real;
     const Index place = record * mesh::corners_per_block + slot % mesh::corners_per_block;
     const Real xx = Lane::load(pxx + place);
@@ -216,9 +227,6 @@ struct Move {
     Lane::store(rx + place, support.x);
     Lane::store(ry + place, support.y);
     sums.add(static_cast<std::size_t>(Term::support), lane, dot(support, law.path(v, result)));
-    const Vec2<Real> left{xx * total.x + xy * total.y, xy * total.x + yy * total.y};
-    sums.add(static_cast<std::size_t>(Term::unbalanced), lane,
-             magnitude(left.x) + magnitude(left.y));
     return result;
   }
 
