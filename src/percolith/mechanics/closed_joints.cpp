@@ -100,10 +100,10 @@ std::vector<ClosedJointEnd> ended_closed_joints(const Model& model) {
   return ended;
 }
 
-double stored_in_closed_joints(const Model& model) {
+double stored_in_closed_joints(const Model& model, double back) {
   double stored = 0.0;
   for (const ClosedJoint& closed : model.closed) {
-    stored += stored_in(closed, joint_openings(model, closed.joint),
+    stored += stored_in(closed, joint_openings(model, closed.joint, back),
                         model.mesh.joint_length(closed.joint));
   }
   return stored;
