@@ -42,7 +42,7 @@ Point across_of(const Model& model) {
 TEST(Joints, GaussWeightsIntegrateCubicsExactly) {
   // Points x = g along a joint of length 1, half of the length each.
   for (int power = 0; power <= 3; ++power) {
-    const double sum = 0.5 * (std::pow(gauss_weight[0], power) + std::pow(gauss_weight[1], power));
+    const double sum = 0.5 * (std::pow(gauss_weight(0), power) + std::pow(gauss_weight(1), power));
     EXPECT_NEAR(sum, 1.0 / (power + 1), 1e-15);
   }
 }
