@@ -28,8 +28,12 @@ Path path_of(const Model& model, const material::JointConstants<double>& c, Inde
         (joints.opening_peak[g][at(j)] - factor * c.tensile / stiffness) * c.opening_range;
     const double slip =
         (joints.slip_peak[g][at(j)] - factor * c.cohesion / stiffness) * c.slip_range;
-    path.opening += 0.5 * std::pow(std::clamp(opening, 0.0, 1.0), 2);
-    path.slip += 0.5 * std::pow(std::clamp(slip, 0.0, 1.0), 2);
+    const double opened = std::pow(std::clamp(opening, 0.0, 1.0), 2);
+    const double slid = std::pow(std::clamp(slip, 0.0, 1.0), 2);
+    // Where one point failed long before the other, its peaks have grown since.
+    const double more = std::max(1.0, opened + slid);
+    path.opening += 0.5 * opened / more;
+    path.slip += 0.5 * slid / more;
   }
   return path;
 }
