@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <random>
 
 #include "unit/support/solid_model.hpp"
@@ -63,7 +62,6 @@ TEST(StepLimit, IsStableAndNotMuchTooStrict) {
       const test::SolidOptions options{.joints = joints, .viscosity_ratio = viscosity};
       EXPECT_TRUE(is_stable(options, 0.99 * limit_of(options)));
       const double found = slack(options);
-      std::printf("slack %g\n", found);
       EXPECT_LT(found, 3.0);
       EXPECT_FALSE(is_stable(options, 2.0 * found * limit_of(options)));
     }
