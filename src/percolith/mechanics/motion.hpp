@@ -161,7 +161,9 @@ struct Move {
       add(Term::gravity, f.gravity * ((path[0].y + path[1].y) + path[2].y));
     }
     const auto size = [](const Vec2<Real>& a) { return magnitude(a.x) + magnitude(a.y); };
-    add(Term::stressing, (size(f.stress[0]) + size(f.stress[1])) + size(f.stress[2]));
+    add(Term::stressing,
+        select(w > Real(0.0), (size(f.stress[0]) + size(f.stress[1])) + size(f.stress[2]),
+               Real(0.0)));
     const Real fastest =
         larger(larger(dot(fast[0], fast[0]), dot(fast[1], fast[1])), dot(fast[2], fast[2]));
     sums.raise(lane, fastest);
@@ -184,8 +186,9 @@ struct Move {
     }
     const Vec2<Real> free = law.new_velocity(v, total + drag, w);
     const Vec2<Real> result = held ? hold<Lane>(record, slot, free, v, w, lane, sums) : free;
+    // What was taken out has no mass and counts no more, though its stress still stands there.
     sums.add(static_cast<std::size_t>(Term::unbalanced), lane,
-             magnitude(unbalanced.x) + magnitude(unbalanced.y));
+             select(w > Real(0.0), magnitude(unbalanced.x) + magnitude(unbalanced.y), Real(0.0)));
     if (law.damping_local != 0.0 || law.damping_nodal != 0.0) {
       if (law.damping_nodal != 0.0) {
         drag = drag - Real(law.damping_nodal) * result;
