@@ -75,7 +75,7 @@ TEST(Breakage, APointThatFailedEarlyCountsByHowItFailed) {
   model.joints.condition[0] = static_cast<std::uint8_t>(BlockCondition::failed);
   const auto broke = break_failed_joints(model, joint_table(model)).broke;
   ASSERT_EQ(broke.size(), 1u);
-  EXPECT_LE(broke[0].released, 100.0 * JointPair::length);
+  EXPECT_NEAR(broke[0].released, 100.0 * JointPair::length, 0.05 * 100.0 * JointPair::length);
 }
 
 TEST(Breakage, ShortOfTheWayNothingBreaks) {
@@ -193,11 +193,7 @@ TEST(Breakage, EnergyOfABurstIsAccountedFor) {
   const EnergyBalance e = dynamics.energy(execution);
   EXPECT_GT(broken, 20u);
   EXPECT_LT(std::abs(e.residual), 1e-3 * start);
-  EXPECT_GT(told, 0.0);
-  std::printf("told %g fracture %g start %g contact %g %g friction %g\n", told, e.fracture, start,
-              e.contact,
-              dynamics.contact().potential_energy() + dynamics.contact().stored_tangential(),
-              e.friction);
+  EXPECT_NEAR(e.fracture, told, 0.15 * told);
   EXPECT_GE(e.friction, 0.0);
   EXPECT_GT(e.contact, -1e-3 * start);
   const double contact =
