@@ -61,6 +61,20 @@ public:
     book(name, start);
   }
 
+  /// Calls `kernel(lane, end)` for the elements 0 .. n-1 in chunks of `length`, from the first of
+  /// the lane on: for kernels that pick the elements that need work and fill registers with them.
+  template <class Kernel>
+  void for_each_chunk(const std::string& name, std::int32_t n, std::int32_t length,
+                      const Kernel& kernel) {
+    const auto start = std::chrono::steady_clock::now();
+    if (backend_ == Backend::host) {
+      run_chunks<VectorLane>(n, length, kernel);
+    } else {
+      run_chunks<ScalarLane>(n, length, kernel);
+    }
+    book(name, start);
+  }
+
   /// Like `for_each` for a kernel that also sums: `kernel(lane, sums)` adds to a `LaneSums`.
   /// The sums run over chunks of fixed length and so do not depend on the number of threads.
   template <std::size_t Count, class Kernel>
@@ -119,6 +133,14 @@ private:
 #pragma omp parallel for schedule(static) num_threads(threads_) if (n > smallest_parallel)
     for (std::int32_t i = 0; i < n; i += Lane::width) {
       kernel(Lane{i});
+    }
+  }
+
+  template <class Lane, class Kernel>
+  void run_chunks(std::int32_t n, std::int32_t length, const Kernel& kernel) const {
+#pragma omp parallel for schedule(static) num_threads(threads_) if (n > smallest_parallel)
+    for (std::int32_t first = 0; first < n; first += length) {
+      kernel(Lane{first}, std::min(n, first + length));
     }
   }
 

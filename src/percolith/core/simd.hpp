@@ -52,6 +52,9 @@ struct ScalarLane {
   PERCOLITH_DEVICE static Real gather(const double* from, const std::int32_t* slot) {
     return from[*slot];
   }
+  PERCOLITH_DEVICE static void scatter(double* to, const std::int32_t* slot, Real value) {
+    to[*slot] = value;
+  }
   /// `from[code ^ flip]`, negative where `code` has the bit `sign`.
   PERCOLITH_DEVICE static Real gather_signed(const double* from, const std::int32_t* code,
                                              std::int32_t flip, std::int32_t sign) {
@@ -91,6 +94,9 @@ struct VectorLane {
   static Real gather(const double* from, const std::int32_t* slot) {
     return Real(_mm512_i32gather_pd(eight(slot), from, sizeof(double)));
   }
+  static void scatter(double* to, const std::int32_t* slot, Real value) {
+    _mm512_i32scatter_pd(to, eight(slot), static_cast<__m512d>(value), sizeof(double));
+  }
   static Real gather_signed(const double* from, const std::int32_t* code, std::int32_t flip,
                             std::int32_t sign) {
     const __m256i codes = eight(code);
@@ -102,6 +108,11 @@ struct VectorLane {
 #else
   static Real gather(const double* from, const std::int32_t* slot) {
     return Real([&](auto element) { return from[slot[element]]; });
+  }
+  static void scatter(double* to, const std::int32_t* slot, Real value) {
+    for (std::size_t element = 0; element < Real::size(); ++element) {
+      to[slot[element]] = value[element];
+    }
   }
   static Real gather_signed(const double* from, const std::int32_t* code, std::int32_t flip,
                             std::int32_t sign) {
@@ -135,8 +146,18 @@ inline VectorLane::Real square_root(VectorLane::Real x) {
 inline bool any(VectorLane::Real::mask_type condition) {
   return std::experimental::any_of(condition);
 }
+#if defined(__AVX512F__)
+// One instruction each, and the same choice as below where both are zero or one is no number.
+inline VectorLane::Real larger(VectorLane::Real a, VectorLane::Real b) {
+  return VectorLane::Real(_mm512_max_pd(static_cast<__m512d>(a), static_cast<__m512d>(b)));
+}
+inline VectorLane::Real smaller(VectorLane::Real a, VectorLane::Real b) {
+  return VectorLane::Real(_mm512_min_pd(static_cast<__m512d>(a), static_cast<__m512d>(b)));
+}
+#endif
 #endif
 
+/// `a` where it is greater, else `b`: also where either is no number.
 template <class Real>
 PERCOLITH_DEVICE Real larger(Real a, Real b) {
   return select(a > b, a, b);

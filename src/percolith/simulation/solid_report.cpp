@@ -50,6 +50,37 @@ void add_supports(const mechanics::Dynamics& dynamics, std::vector<NamedValue>& 
 
 }  // namespace
 
+std::vector<FragmentRow> fragment_rows(const SolidRun& run) {
+  const mechanics::Model& model = run.dynamics.model();
+  const mechanics::Motion& m = model.motion;
+  std::vector<FragmentRow> rows(run.fragments.area.size());
+  std::vector<double> mass(rows.size(), 0.0);
+  for (Index t = 0; t < model.mesh.triangles(); ++t) {
+    const Index number = run.fragments.number[at(t)];
+    if (number == mesh::none) {
+      continue;
+    }
+    FragmentRow& row = rows[at(number)];
+    row.number = number;
+    ++row.triangles;
+    const double area = model.mesh.area(t);
+    const double weight = 1.0 / model.triangles.inverse_mass[at(t)];
+    row.area += area;
+    mass[at(number)] += 3.0 * weight;
+    for (Index k = 0; k < 3; ++k) {
+      const Index c = mesh::corner_of(t, k);
+      row.centre =
+          row.centre + area / 3.0 * (model.mesh.place_of(c) + Point{m.ux[at(c)], m.uy[at(c)]});
+      row.velocity = row.velocity + weight * Point{m.vx[at(c)], m.vy[at(c)]};
+    }
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].centre = (1.0 / rows[i].area) * rows[i].centre;
+    rows[i].velocity = (1.0 / mass[i]) * rows[i].velocity;
+  }
+  return rows;
+}
+
 HistoryRow solid_history_row(SolidRun& run, double step_size) {
   if (run.fragments_stale) {
     run.fragments = mechanics::find_fragments(run.dynamics.model());

@@ -73,8 +73,7 @@ TEST(ContactOverlap, AreaAgreesWithSortedCrossings) {
     const Corners b = test::random_triangle(random, {0.3, 0.2});
     const double area = area_by_angles(a, b);
     EXPECT_NEAR(area_of(overlap_of(a, b)), area, 1e-14);
-    std::uint8_t edge = 0;
-    EXPECT_EQ(separated(place_pair(placed(a), placed(b)), edge), area == 0.0);
+    EXPECT_EQ(separated(pair_sides(place_pair(placed(a), placed(b)))), area == 0.0);
     overlapping += area > 0.0 ? 1 : 0;
   }
   EXPECT_GT(overlapping, 1000);
@@ -184,8 +183,8 @@ TEST(ContactOverlap, AThinOverlapIsAsExactAKilometreAway) {
 TEST(ContactOverlap, SharedSidesThatOnlyTouchGiveNoForce) {
   const OverlapForce f = force(test::flat, test::floor_triangle);
   EXPECT_EQ(f.total, (Point{0.0, 0.0}));
-  std::uint8_t edge = 0;
-  EXPECT_TRUE(separated(place_pair(placed(test::flat), placed(test::floor_triangle)), edge));
+  const PlacedPair pair = place_pair(placed(test::flat), placed(test::floor_triangle));
+  EXPECT_TRUE(separated(pair_sides(pair)));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/mechanics/contact/candidates.hpp"
 
+#include <algorithm>
+
 namespace percolith::mechanics {
 
 bool may_touch(const Candidate& a, const Candidate& b) {
@@ -17,6 +19,21 @@ bool may_touch(const Candidate& a, const Candidate& b) {
     }
   }
   return true;
+}
+
+void merge_candidates(std::span<const Candidate> changed, std::vector<Candidate>& candidates) {
+  const auto lower = [](const Candidate& a, const Candidate& b) { return a.triangle < b.triangle; };
+  const auto known = static_cast<std::ptrdiff_t>(candidates.size());
+  for (const Candidate& c : changed) {
+    const auto end = candidates.begin() + known;
+    const auto found = std::lower_bound(candidates.begin(), end, c, lower);
+    if (found != end && found->triangle == c.triangle) {
+      *found = c;
+    } else {
+      candidates.push_back(c);
+    }
+  }
+  std::inplace_merge(candidates.begin(), candidates.begin() + known, candidates.end(), lower);
 }
 
 std::vector<std::array<Index, 3>> joints_of_triangles(const mesh::Mesh& mesh) {

@@ -23,6 +23,9 @@ struct Candidate {
 /// False for triangles that are bonded round a vertex or whose common joint acts itself.
 [[nodiscard]] bool may_touch(const Candidate& a, const Candidate& b);
 
+/// Replaces the candidates of the same triangles and enters the others; both ascend.
+void merge_candidates(std::span<const Candidate> changed, std::vector<Candidate>& candidates);
+
 /// The joints of every triangle, `none` where it has fewer than three.
 [[nodiscard]] std::vector<std::array<Index, 3>> joints_of_triangles(const mesh::Mesh& mesh);
 

@@ -46,15 +46,19 @@ CellGrid::CellGrid(std::span<const Box> boxes) : ranges_(boxes.size()) {
 void CellGrid::set_ranges(std::span<const Box> boxes, double size, const Point& extent) {
   columns_ = cells_along(extent.x, size);
   rows_ = cells_along(extent.y, size);
-  const double inverse = 1.0 / size;
+  inverse_size_ = 1.0 / size;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (!boxes[i].empty()) {
-      const Point low = inverse * (boxes[i].low - low_);
-      const Point high = inverse * (boxes[i].high - low_);
-      ranges_[i] = {cell_number(low.x, columns_), cell_number(high.x, columns_),
-                    cell_number(low.y, rows_), cell_number(high.y, rows_)};
+      ranges_[i] = range_of(boxes[i]);
     }
   }
+}
+
+CellGrid::Range CellGrid::range_of(const Box& box) const {
+  const Point low = inverse_size_ * (box.low - low_);
+  const Point high = inverse_size_ * (box.high - low_);
+  return {cell_number(low.x, columns_), cell_number(high.x, columns_), cell_number(low.y, rows_),
+          cell_number(high.y, rows_)};
 }
 
 bool CellGrid::too_many(double boxes) const {

@@ -37,6 +37,8 @@ public:
     Index first_column = 0, last_column = -1, first_row = 0, last_row = -1;
   };
   [[nodiscard]] const Range& range_of(Index box) const { return ranges_[at(box)]; }
+  /// The same of any box that is not empty; what lies outside the grid counts to its border.
+  [[nodiscard]] Range range_of(const Box& box) const;
   /// Boxes in a cell, ascending.
   [[nodiscard]] std::span<const Index> cell(Index column, Index row) const {
     return cells_.row(row * columns_ + column);
@@ -49,6 +51,7 @@ private:
   void fill();
 
   Point low_;
+  double inverse_size_ = 0.0;  // 1/m
   Index columns_ = 1, rows_ = 1;
   std::vector<Range> ranges_;
   mesh::IndexTable cells_;

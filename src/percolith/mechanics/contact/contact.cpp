@@ -2,14 +2,10 @@
 #include "percolith/mechanics/contact/contact.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace percolith::mechanics {
 namespace {
-
-// Of the mean edge of the candidates: a wider margin means fewer searches, but more pairs.
-constexpr double margin_share = 0.2;
 
 Candidate make_candidate(const mesh::Mesh& mesh, const ContactTopology& topology,
                          std::span<const Index> joints, Index triangle) {
@@ -28,122 +24,139 @@ Candidate make_candidate(const mesh::Mesh& mesh, const ContactTopology& topology
   return candidate;
 }
 
-/// Brings what the corner slots hold into one place for each candidate.
-struct Place {
-  const mesh::Mesh* mesh;
-  const CornerMotion* motion;
-  const Candidate* candidate;
-  PlacedTriangle* placed;
-  CornerVelocities* velocity;
-
-  void operator()(ScalarLane lane) const {
-    const auto i = at(lane.first);
-    const Index triangle = candidate[i].triangle;
-    const auto& vertices = mesh->triangle_vertex[at(triangle)];
-    std::array<Point, 3> x;
-    std::array<Point, 3> u;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto slot = at(mesh::corner_of(triangle, static_cast<Index>(k)));
-      x[k] = mesh->vertex[at(vertices[k])];
-      u[k] = {motion->ux[slot], motion->uy[slot]};
-      velocity[i][k] = {motion->vx[slot], motion->vy[slot]};
+CornerPlaces undeformed_places(const mesh::Mesh& mesh) {
+  CornerPlaces places{std::vector<double>(at(mesh.corners()), 0.0),
+                      std::vector<double>(at(mesh.corners()), 0.0)};
+  for (Index t = 0; t < mesh.triangles(); ++t) {
+    const auto corner = mesh.triangle_points(t);
+    for (Index k = 1; k < 3; ++k) {
+      const Point from_first = corner[at(k)] - corner[0];
+      places.x[at(mesh::corner_of(t, k))] = from_first.x;
+      places.y[at(mesh::corner_of(t, k))] = from_first.y;
     }
-    placed[i] = {x[0], u[0], (x[1] - x[0]) + (u[1] - u[0]), (x[2] - x[0]) + (u[2] - u[0])};
   }
-};
+  return places;
+}
 
-/// Adds up the forces on the candidates of one block, pair by pair in ascending order.
+/// Triangles with a corner at an end of a joint that broke, and that may touch anything.
+std::vector<Index> triangles_at(const mesh::Mesh& mesh, const ContactTopology& topology,
+                                std::span<const Index> joints) {
+  std::vector<Index> triangles;
+  for (const Index j : joints) {
+    for (const Index v : mesh.joint[at(j)].vertex) {
+      for (const Index corner : mesh.vertex_corners.row(v)) {
+        if (const Index t = mesh::triangle_of(corner); topology.candidate[at(t)] != 0) {
+          triangles.push_back(t);
+        }
+      }
+    }
+  }
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  return triangles;
+}
+
+/// Adds up the forces on the triangles of one block, pair by pair in ascending order of partners.
 struct Gather {
-  const Index* block_start;
-  const Candidate* candidate;
-  const PairList* list;
-  const PairStates* pairs;
+  const Index* blocks;
+  const PairRows* rows;
+  const Index* place;
+  const double* force;
+  Index triangles;
   double* force_x;
   double* force_y;
   std::uint8_t* acts;
 
   void operator()(ScalarLane lane) const {
-    const Index first = block_start[lane.first];
-    const Index end = block_start[lane.first + 1];
-    const Index block = candidate[first].triangle / block_width;
-    std::array<Point, mesh::corners_per_block> sum{};  // as the slots of the block
+    const Index block = blocks[lane.first];
+    std::array<double, mesh::corners_per_block> x{};
+    std::array<double, mesh::corners_per_block> y{};
     bool act = false;
-    for (Index c = first; c < end; ++c) {
-      Point* const own = sum.data() + candidate[c].triangle % block_width;
-      for (const Index p : list->as_second.row(c)) {
-        act = add(at(p), 1, own) || act;
-      }
-      for (Index p = list->start[at(c)]; p < list->start[at(c) + 1]; ++p) {
-        act = add(at(p), 0, own) || act;
-      }
+    const Index end = std::min(block_width, triangles - block * block_width);
+    for (Index k = 0; k < end; ++k) {
+      act = add(rows->row(block * block_width + k), x.data() + k, y.data() + k) || act;
     }
     if (!act && acts[block] == 0) {
       return;
     }
     acts[block] = act ? 1 : 0;
     const Index slot = block * mesh::corners_per_block;
-    for (Index k = 0; k < mesh::corners_per_block; ++k) {
-      force_x[slot + k] = sum[at(k)].x;
-      force_y[slot + k] = sum[at(k)].y;
-    }
+    std::copy(x.begin(), x.end(), force_x + slot);
+    std::copy(y.begin(), y.end(), force_y + slot);
   }
 
 private:
-  /// False where the pair does not touch.
-  bool add(std::size_t pair, std::size_t side, Point* sum) const {
-    if (pairs->touching[pair] == 0) {
-      return false;
+  /// False where no pair of the row touches.
+  bool add(std::span<const Index> row, double* x, double* y) const {
+    bool any = false;
+    std::array<double, 6> sum{};
+    constexpr std::size_t most = 32;
+    std::array<Index, most> found;
+    while (!row.empty()) {
+      // Those that touch are picked first: which they are cannot be foretold.
+      const auto part = row.first(std::min(row.size(), most));
+      std::size_t count = 0;
+      for (const Index entry : part) {
+        const Index p = place[entry / 2];
+        found[count] = force_at(p) + entry % 2 * forces_of_side;
+        count += p != mesh::none ? 1 : 0;
+      }
+      for (std::size_t i = 0; i < count; ++i) {
+        const double* from = force + found[i];
+        for (std::size_t c = 0; c < sum.size(); ++c) {
+          sum[c] += from[c * block_width];
+        }
+      }
+      any = any || count > 0;
+      row = row.subspan(part.size());
     }
-    const auto& force = pairs->force[pair][side];
     for (std::size_t k = 0; k < 3; ++k) {
-      Point& corner = sum[k * block_width];
-      corner = corner + force[k];
+      x[k * block_width] = sum[k];
+      y[k * block_width] = sum[3 + k];
     }
-    return true;
+    return any;
   }
 };
-
-double mean_edge(std::span<const PlacedTriangle> placed) {
-  double sum = 0.0;
-  double count = 0.0;
-  for (const PlacedTriangle& t : placed) {
-    for (const Point& edge : {t.leg_1, t.leg_2, t.leg_2 - t.leg_1}) {
-      const double length = std::sqrt(dot(edge, edge));
-      if (std::isfinite(length)) {
-        sum += length;
-        count += 1.0;
-      }
-    }
-  }
-  return count > 0.0 ? sum / count : 0.0;
-}
 
 }  // namespace
 
 Contact::Contact(const mesh::Mesh& mesh, ContactProperties properties)
     : properties_(std::move(properties)), triangle_joints_(joints_of_triangles(mesh)),
-      force_x_(at(mesh.corners()), 0.0), force_y_(at(mesh.corners()), 0.0),
-      acts_(at(padded(mesh.triangles()) / block_width), 0) {}
+      undeformed_(undeformed_places(mesh)), force_x_(at(mesh.corners()), 0.0),
+      force_y_(at(mesh.corners()), 0.0), acts_(at(padded(mesh.triangles()) / block_width), 0) {}
 
-void Contact::topology_changed(const mesh::Mesh& mesh, const ContactTopology& topology) {
-  candidates_.clear();
-  surface_.clear();
-  block_start_.clear();
-  for (Index t = 0; t < mesh.triangles(); ++t) {
-    if (topology.candidate[at(t)] == 0) {
-      continue;
+void Contact::topology_changed(const mesh::Mesh& mesh, const ContactTopology& topology,
+                               std::span<const Index> broken) {
+  const auto candidate = [&](Index t) {
+    return make_candidate(mesh, topology, triangle_joints_[at(t)], t);
+  };
+  if (broken.empty()) {
+    candidates_.clear();
+    for (Index t = 0; t < mesh.triangles(); ++t) {
+      if (topology.candidate[at(t)] != 0) {
+        candidates_.push_back(candidate(t));
+      }
     }
-    if (candidates_.empty() || candidates_.back().triangle / block_width != t / block_width) {
-      block_start_.push_back(static_cast<Index>(candidates_.size()));
+    stale_ = true;
+  } else {
+    const std::vector<Index> loosened = triangles_at(mesh, topology, broken);
+    std::vector<Candidate> changed;
+    for (const Index t : loosened) {
+      changed.push_back(candidate(t));
     }
-    candidates_.push_back(make_candidate(mesh, topology, triangle_joints_[at(t)], t));
-    surface_.push_back({properties_.penalty[at(t)], properties_.tangential_penalty[at(t)],
-                        properties_.friction[at(t)], 2.0 * mesh.area(t)});
+    merge_candidates(changed, candidates_);
+    loosened_.insert(loosened_.end(), loosened.begin(), loosened.end());
   }
-  block_start_.push_back(static_cast<Index>(candidates_.size()));
-  placed_.resize(candidates_.size());
-  velocity_.resize(candidates_.size());
-  stale_ = true;
+  set_blocks();
+}
+
+void Contact::set_blocks() {
+  blocks_.clear();
+  for (const Candidate& c : candidates_) {
+    if (blocks_.empty() || blocks_.back() != c.triangle / block_width) {
+      blocks_.push_back(c.triangle / block_width);
+    }
+  }
 }
 
 void Contact::hand_over(const mesh::Mesh& mesh, const HandOver& start) {
@@ -151,84 +164,15 @@ void Contact::hand_over(const mesh::Mesh& mesh, const HandOver& start) {
   pending_.push_back({{mesh::triangle_of(sides[0][0]), mesh::triangle_of(sides[1][0])}, start});
 }
 
-void Contact::place(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution) {
-  execution.for_each("contact force", static_cast<Index>(candidates_.size()),
-                     Place{&mesh, &motion, candidates_.data(), placed_.data(), velocity_.data()});
-}
-
-void Contact::search(Execution& execution) {
-  margin_ = margin_share * mean_edge(placed_);
-  PairList list = find_pairs(candidates_, placed_, margin_, execution);
-  PairStates states;
-  states.resize(list.pair.size());
-  carry_over(list, states);
-  list_ = std::move(list);
-  pairs_ = std::move(states);
-  clear_forces();
-  searched_.clear();
-  for (const Candidate& c : candidates_) {
-    searched_.push_back(c.triangle);
-  }
-  travelled_ = 0.0;
-  stale_ = false;
-}
-
-void Contact::carry_over(const PairList& list, PairStates& states) {
-  std::size_t next = 0;
-  for (std::size_t old = 0; old < list_.pair.size(); ++old) {
-    const std::array<Index, 2> key{searched_[at(list_.pair[old][0])],
-                                   searched_[at(list_.pair[old][1])]};
-    const auto triangles = [&](std::size_t p) {
-      return std::array<Index, 2>{candidates_[at(list.pair[p][0])].triangle,
-                                  candidates_[at(list.pair[p][1])].triangle};
-    };
-    while (next < list.pair.size() && triangles(next) < key) {
-      ++next;
-    }
-    if (next < list.pair.size() && triangles(next) == key) {
-      states.state[next] = pairs_.state[old];
-      states.touching[next] = pairs_.touching[old];
-      states.edge[next] = pairs_.edge[old];
-      states.start[next] = PairStart::none;
-      states.state[next].loss = 0.0;
-    } else {
-      friction_dissipation_ += stored_energy(pairs_.state[old]);
-    }
-    friction_dissipation_ += pairs_.state[old].loss;
-  }
-}
-
-void Contact::clear_forces() {
-  std::vector<std::uint8_t> searched(acts_.size(), 0);
-  for (const Candidate& c : candidates_) {
-    searched[at(c.triangle / block_width)] = 1;
-  }
-  for (std::size_t block = 0; block < acts_.size(); ++block) {
-    if (acts_[block] != 0 && searched[block] == 0) {
-      const auto slot = static_cast<std::ptrdiff_t>(block) * mesh::corners_per_block;
-      std::fill_n(force_x_.begin() + slot, mesh::corners_per_block, 0.0);
-      std::fill_n(force_y_.begin() + slot, mesh::corners_per_block, 0.0);
-      acts_[block] = 0;
-    }
-  }
-}
-
 void Contact::apply_hand_overs() {
   handed_.clear();
   for (const PendingHandOver& pending : pending_) {
-    const auto number = [&](Index triangle) {
-      return static_cast<Index>(std::lower_bound(searched_.begin(), searched_.end(), triangle) -
-                                searched_.begin());
-    };
-    const std::array<Index, 2> wanted{number(pending.triangle[0]), number(pending.triangle[1])};
-    const auto found = std::lower_bound(list_.pair.begin(), list_.pair.end(), wanted);
-    const bool listed = found != list_.pair.end() &&
-                        searched_[at((*found)[0])] == pending.triangle[0] &&
-                        searched_[at((*found)[1])] == pending.triangle[1];
-    if (listed) {
-      const auto p = static_cast<Index>(found - list_.pair.begin());
+    const Index p = rows_.find(states_, pending.triangle[0], pending.triangle[1]);
+    if (p != mesh::none) {
       handed_.push_back({p, pending.start.normal_force, pending.start.shear_on_first});
-      pairs_.start[at(p)] = PairStart::handed;
+      states_.start[at(p)] = PairStart::handed;
+      states_.rest[at(p)] = 0.0;
+      starts_ = true;
     }
   }
   pending_.clear();
@@ -242,24 +186,19 @@ void Contact::advance(const mesh::Mesh& mesh, const CornerMotion& motion, double
     return;
   }
   travelled_ += travelled;
-  place(mesh, motion, execution);
   if (stale_ || travelled_ > 0.5 * margin_) {
-    search(execution);
+    search(mesh, motion, execution);
+  } else if (!loosened_.empty()) {
+    add_pairs(mesh, motion, execution);
   }
   apply_hand_overs();
-  if (!list_.pair.empty()) {
-    const auto count = static_cast<Index>(list_.pair.size());
-    execution.for_each("contact force", count,
-                       PairForceKernel{list_.pair.data(), placed_.data(), surface_.data(),
-                                       velocity_.data(), handed_, dt, &pairs_});
-  }
-  gather(execution);
-}
-
-void Contact::gather(Execution& execution) {
-  execution.for_each("contact force", static_cast<Index>(block_start_.size()) - 1,
-                     Gather{block_start_.data(), candidates_.data(), &list_, &pairs_,
-                            force_x_.data(), force_y_.data(), acts_.data()});
+  execution.for_each_chunk(
+      "contact force", states_.size(), pair_chunk,
+      PairForces{&states_, &records_, &undeformed_, motion, handed_, travelled_, dt, starts_});
+  starts_ = false;
+  execution.for_each("contact force", static_cast<Index>(blocks_.size()),
+                     Gather{blocks_.data(), &rows_, states_.place.data(), records_.force.data(),
+                            mesh.triangles(), force_x_.data(), force_y_.data(), acts_.data()});
 }
 
 }  // namespace percolith::mechanics

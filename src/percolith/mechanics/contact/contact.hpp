@@ -7,8 +7,9 @@
 #include "percolith/core/vec2.hpp"
 #include "percolith/mechanics/contact/candidates.hpp"
 #include "percolith/mechanics/contact/pair_force.hpp"
+#include "percolith/mechanics/contact/pair_rows.hpp"
+#include "percolith/mechanics/contact/pair_states.hpp"
 #include "percolith/mechanics/contact/placed_triangle.hpp"
-#include "percolith/mechanics/contact/search.hpp"
 #include "percolith/mesh/mesh.hpp"
 #include "percolith/mesh/node_map.hpp"
 
@@ -24,11 +25,6 @@ struct ContactProperties {
   std::vector<double> penalty;             ///< p_n of (4), Pa; a pair takes both in series
   std::vector<double> tangential_penalty;  ///< p_t of (6), Pa/m; a pair takes both in series
   std::vector<double> friction;            ///< tan(phi) of (7); a pair takes the smaller one
-};
-
-/// Displacements (m) and velocities (m/s) of the corners, one entry a corner slot.
-struct CornerMotion {
-  std::span<const double> ux, uy, vx, vy;
 };
 
 /// Which triangles may touch which.
@@ -65,8 +61,12 @@ public:
   Contact(const mesh::Mesh& mesh, ContactProperties properties);
 
   /// To be called before the first step and when joints broke or closed or triangles were taken
-  /// out: the pairs are searched anew at the next step. Views are read during the call only.
-  void topology_changed(const mesh::Mesh& mesh, const ContactTopology& topology);
+  /// out: the pairs are searched anew at the next step. Where `broken` names all joints whose state
+  /// has changed since the last call, and they and their fans have only come loose, the pairs stay
+  /// and those are added that became possible near these joints. Views are read during the call
+  /// only.
+  void topology_changed(const mesh::Mesh& mesh, const ContactTopology& topology,
+                        std::span<const Index> broken = {});
   /// Gives the contact across a joint the force it starts with; before the next `advance`. Without
   /// effect where the faces of the joint may not touch or are apart.
   void hand_over(const mesh::Mesh& mesh, const HandOver& start);
@@ -93,7 +93,7 @@ public:
   /// with the depth.
   [[nodiscard]] double potential_energy() const;
   /// Pairs that are looked at, and those of them that overlap.
-  [[nodiscard]] Index listed_pairs() const { return static_cast<Index>(list_.pair.size()); }
+  [[nodiscard]] Index listed_pairs() const { return states_.size(); }
   [[nodiscard]] Index touching_pairs() const;
   /// Largest depth of an overlap, along its normal force, m; 0 where nothing touches.
   [[nodiscard]] double deepest() const;
@@ -106,12 +106,16 @@ public:
   overlapping(const mesh::Mesh& mesh, const CornerMotion& motion, double share = 1e-6) const;
 
 private:
-  void place(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution);
-  void search(Execution& execution);
-  void carry_over(const PairList& list, PairStates& states);
+  [[nodiscard]] std::vector<PlacedTriangle>
+  place(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution) const;
+  [[nodiscard]] Surface surface_of(const mesh::Mesh& mesh, Index triangle) const;
+  void add_pair(const mesh::Mesh& mesh, Index a, Index b, PairStates& states) const;
+  void search(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution);
+  void carry_over(PairStates& states, const PairRows& rows);
+  void add_pairs(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution);
+  void set_blocks();
   void apply_hand_overs();
   void clear_forces();
-  void gather(Execution& execution);
 
   struct PendingHandOver {
     std::array<Index, 2> triangle;
@@ -120,17 +124,17 @@ private:
 
   ContactProperties properties_;
   std::vector<std::array<Index, 3>> triangle_joints_;
-  std::vector<Candidate> candidates_;
-  std::vector<Surface> surface_;  // per candidate, as all up to the next remark
-  std::vector<PlacedTriangle> placed_;
-  std::vector<CornerVelocities> velocity_;
-  std::vector<Index> block_start_;  // first candidate of each block that has any, and the end
-  std::vector<Index> searched_;     // triangles of the candidates the list was made for
-  PairList list_;
-  PairStates pairs_;
+  CornerPlaces undeformed_;
+  std::vector<Candidate> candidates_;  // ascending
+  std::vector<Index> blocks_;          // of triangles, that have any candidate, ascending
+  std::vector<Index> loosened_;        // triangles at joints that broke since the last step
+  PairStates states_;
+  PairRows rows_;
+  PairRecords records_;
   std::vector<PairHandOver> handed_;
   std::vector<PendingHandOver> pending_;
-  bool stale_ = true;
+  bool stale_ = true;                    // the pairs must be searched
+  bool starts_ = false;                  // there are pairs that have not been looked at
   double margin_ = 0.0;                  // m
   double travelled_ = 0.0;               // m, since the search
   CompensatedSum friction_dissipation_;  // J/m, up to the search

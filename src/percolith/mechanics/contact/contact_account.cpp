@@ -2,45 +2,58 @@
 #include "percolith/mechanics/contact/contact.hpp"
 #include "percolith/mechanics/contact/overlap.hpp"
 #include "percolith/mechanics/contact/overlap_force.hpp"
+#include "percolith/mechanics/contact/search.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace percolith::mechanics {
 
+namespace {
+
+PlacedPair position_of(const PairRecords& records, Index place) {
+  const double* from = records.position.data() + position_at(place);
+  std::array<Point, 5> corner;
+  for (Point& p : corner) {
+    p = {from[0], from[block_width]};
+    from += 2 * block_width;
+  }
+  return {{Point{}, corner[0], corner[1]}, {corner[2], corner[3], corner[4]}};
+}
+
+}  // namespace
+
 double Contact::friction_dissipation() const {
   CompensatedSum sum = friction_dissipation_;
-  for (const PairState& state : pairs_.state) {
-    sum += state.loss;
+  for (const double loss : states_.loss) {
+    sum += loss;
   }
   return sum.total();
 }
 
 double Contact::stored_tangential() const {
   CompensatedSum sum;
-  for (const PairState& state : pairs_.state) {
-    sum += stored_energy(state);
+  for (const double stored : states_.stored) {
+    sum += stored;
   }
   return sum.total();
 }
 
 double Contact::potential_energy() const {
   CompensatedSum sum;
-  for (std::size_t p = 0; p < list_.pair.size(); ++p) {
-    if (pairs_.touching[p] == 0) {
+  for (std::size_t p = 0; p < states_.place.size(); ++p) {
+    if (states_.place[p] == mesh::none) {
       continue;
     }
-    const auto a = at(list_.pair[p][0]);
-    const auto b = at(list_.pair[p][1]);
-    const PlacedPair now = place_pair(placed_[a], placed_[b]);
-    const auto penalty = pair_penalty(surface_[a], surface_[b], placed_[a], placed_[b]);
+    const PlacedPair now = position_of(records_, states_.place[p]);
+    const std::array<double, 2> penalty{states_.stiffness_first[p] / twice_area(now.first),
+                                        states_.stiffness_second[p] / twice_area(now.second)};
     const Polygon overlap = overlap_of(now.first, now.second);
-    const PairState& state = pairs_.state[p];
-    double share = state.factor;
-    if (state.offset > 0.0) {
+    double share = states_.factor[p];
+    if (states_.offset[p] > 0.0) {
       const Point total = overlap_force(now, penalty).total;
-      const double force = state.factor * std::sqrt(dot(total, total));
-      const double left = force > 0.0 ? std::max(0.0, 1.0 - state.offset / force) : 0.0;
+      const double force = states_.factor[p] * std::sqrt(dot(total, total));
+      const double left = force > 0.0 ? std::max(0.0, 1.0 - states_.offset[p] / force) : 0.0;
       share *= left * left;
     }
     sum += share * (penalty[0] * potential_over(overlap, now.first) +
@@ -50,13 +63,14 @@ double Contact::potential_energy() const {
 }
 
 Index Contact::touching_pairs() const {
-  return static_cast<Index>(std::count(pairs_.touching.begin(), pairs_.touching.end(), 1));
+  return static_cast<Index>(std::count_if(states_.place.begin(), states_.place.end(),
+                                          [](Index place) { return place != mesh::none; }));
 }
 
 double Contact::deepest() const {
   double deepest = 0.0;
-  for (const PairState& state : pairs_.state) {
-    deepest = std::max(deepest, state.depth);
+  for (const double depth : states_.depth) {
+    deepest = std::max(deepest, depth);
   }
   return deepest;
 }
@@ -66,24 +80,24 @@ void Contact::add_to(StateHash& hash) const {
   hash.add(force_y_);
   hash.add(friction_dissipation());
   hash.add(travelled_);
-  for (std::size_t p = 0; p < list_.pair.size(); ++p) {
-    hash.add(searched_[at(list_.pair[p][0])]);
-    hash.add(searched_[at(list_.pair[p][1])]);
-    const PairState& s = pairs_.state[p];
-    hash.add(std::array<double, 5>{s.factor, s.offset, s.tangential, s.stiffness, s.depth});
+  for (Index p = 0; p < states_.size(); ++p) {
+    for (const Index triangle : states_.triangles(p)) {
+      hash.add(triangle);
+    }
+    hash.add(std::array<double, 5>{states_.factor[at(p)], states_.offset[at(p)],
+                                   states_.tangential[at(p)], states_.stored[at(p)],
+                                   states_.depth[at(p)]});
   }
 }
 
 std::vector<std::array<Index, 2>>
 Contact::overlapping(const mesh::Mesh& mesh, const CornerMotion& motion, double share) const {
-  Contact now = *this;
   Execution execution(Backend::serial);
-  now.place(mesh, motion, execution);
+  const std::vector<PlacedTriangle> placed = place(mesh, motion, execution);
   std::vector<std::array<Index, 2>> found;
-  for (const auto& [a, b] : find_pairs(now.candidates_, now.placed_, 0.0, execution).pair) {
-    const double smaller =
-        0.5 * std::min(twice_area(now.placed_[at(a)]), twice_area(now.placed_[at(b)]));
-    const PlacedPair pair = place_pair(now.placed_[at(a)], now.placed_[at(b)]);
+  for (const auto& [a, b] : find_pairs(candidates_, placed, 0.0, execution).pair) {
+    const double smaller = 0.5 * std::min(twice_area(placed[at(a)]), twice_area(placed[at(b)]));
+    const PlacedPair pair = place_pair(placed[at(a)], placed[at(b)]);
     if (smaller > 0.0 && area_of(overlap_of(pair.first, pair.second)) > share * smaller) {
       found.push_back({candidates_[at(a)].triangle, candidates_[at(b)].triangle});
     }

@@ -2,10 +2,9 @@
 #include "percolith/mechanics/contact/pair_force.hpp"
 
 #include "percolith/material/friction.hpp"
-#include "percolith/mechanics/contact/overlap_force.hpp"
+#include "percolith/mechanics/contact/pair_lanes.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace percolith::mechanics {
 namespace {
@@ -15,121 +14,163 @@ namespace {
 constexpr double largest_factor = 10.0;
 constexpr double smallest_factor = 0.1;
 
-/// The overlap is gone: nothing is remembered.
-void part(PairState& state) {
-  const double loss = state.loss + stored_energy(state);
-  state = PairState{};
-  state.loss = loss;
-}
+// Both triangles of a pair may use up the gap between them; less for round-off.
+constexpr double gap_share = 0.499;
 
-void take_over(const PairHandOver& handed, double raw, const Point& along, PairState& state) {
+void take_over(const PairHandOver& handed, double raw, const Point& along,
+               PairState<double>& state) {
   const double joint_force = std::max(0.0, handed.normal_force);
   state.factor = raw > 0.0 ? std::clamp(joint_force / raw, smallest_factor, largest_factor) : 1.0;
   state.offset = std::max(0.0, state.factor * raw - joint_force);
   state.tangential = dot(handed.shear, along);
 }
 
-/// The normal force that is left of the integral `raw`. A force that has fallen below the offset
-/// takes the offset with it: what is not given back now is given never.
-double effective_force(double raw, PairState& state) {
-  const double scaled = state.factor * raw;
-  state.offset = std::min(state.offset, scaled);
-  return scaled - state.offset;
-}
-
-Point weighted(const std::array<Point, 3>& value, const std::array<double, 3>& weight) {
-  return weight[0] * value[0] + weight[1] * value[1] + weight[2] * value[2];
+/// How pairs take up a force that is there when they are looked at for the first time; `seen`
+/// becomes zero for them.
+template <class Lane>
+void take_up(const PairForces& of, const Index* pair, typename Lane::Real raw,
+             const Vec2<typename Lane::Real>& along, PairState<typename Lane::Real>& state,
+             typename Lane::Real& seen) {
+  using Row = std::array<double, Lane::width>;
+  Row force, x, y, factor, offset, tangential, known;
+  const auto exchange = [&](const auto& move) {
+    move(factor, state.factor);
+    move(offset, state.offset);
+    move(tangential, state.tangential);
+    move(known, seen);
+  };
+  exchange([](Row& row, typename Lane::Real& value) { Lane::store(row.data(), value); });
+  Lane::store(force.data(), raw);
+  Lane::store(x.data(), along.x);
+  Lane::store(y.data(), along.y);
+  for (std::size_t i = 0; i < Lane::width; ++i) {
+    const PairStart start = of.states->start[at(pair[i])];
+    known[i] = start == PairStart::none ? 1.0 : 0.0;
+    if (start == PairStart::fresh) {
+      offset[i] = force[i];
+    } else if (start == PairStart::handed) {
+      const auto found = std::lower_bound(
+          of.handed.begin(), of.handed.end(), pair[i],
+          [](const PairHandOver& entry, Index wanted) { return entry.pair < wanted; });
+      PairState<double> one{};
+      take_over(*found, force[i], {x[i], y[i]}, one);
+      factor[i] = one.factor;
+      offset[i] = one.offset;
+      tangential[i] = one.tangential;
+    }
+  }
+  exchange([](Row& row, typename Lane::Real& value) { value = Lane::load(row.data()); });
 }
 
 /// Advances the tangential force and books what it lost; a spring that became stiffer or softer at
 /// the same force counts too, so that work, storage and loss add up.
-void rub(double stiffness, double displacement, double limit, bool first, PairState& state) {
-  const double before = stored_energy(state);
-  state.stiffness = stiffness;
-  if (!(stiffness > 0.0)) {
-    state.tangential = 0.0;
-    state.loss += before;
-    return;
-  }
-  const double changed = first ? 0.0 : before - stored_energy(state);
-  const auto step = material::friction_step(state.tangential, stiffness, displacement, limit);
-  state.tangential = step.force;
-  state.loss += changed + step.loss;
+template <class Real>
+void rub(Real stiffness, Real displacement, Real limit, Real seen, PairState<Real>& state) {
+  const Real zero(0.0);
+  const auto holds = stiffness > zero;
+  const Real k = select(holds, stiffness, Real(1.0));
+  const Real half_softness = Real(0.5) / k;
+  const Real before = state.stored;
+  const Real changed =
+      select(seen > zero, before - half_softness * (state.tangential * state.tangential), zero);
+  const auto step =
+      material::friction_step(state.tangential, k, select(seen > zero, displacement, zero), limit);
+  state.tangential = select(holds, step.force, zero);
+  state.stored = half_softness * (state.tangential * state.tangential);
+  state.loss = state.loss + select(holds, changed + step.loss, before);
 }
 
-void add_tangential(const OverlapForce& overlap, const Point& force, PairForces& forces) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    forces[0][k] = forces[0][k] + overlap.centre[0][k] * force;
-    forces[1][k] = forces[1][k] - overlap.centre[1][k] * force;
+template <class Real>
+Vec2<Real> weighted(const std::array<Vec2<Real>, 3>& value, const std::array<Real, 3>& weight) {
+  return weight[0] * value[0] + weight[1] * value[1] + weight[2] * value[2];
+}
+
+/// Normal and tangential forces of pairs that touch; the state is advanced.
+template <class Lane>
+PairCornerForces<typename Lane::Real>
+press(const PairForces& of, const Index* pair, const PairSlots<Lane>& slots,
+      const OverlapForces<typename Lane::Real>& overlap, PairState<typename Lane::Real>& state) {
+  using Real = typename Lane::Real;
+  const Real zero(0.0);
+  const Real raw = square_root(dot(overlap.total, overlap.total));
+  const auto pushes = raw > zero;
+  const Real inverse = select(pushes, Real(1.0) / select(pushes, raw, Real(1.0)), zero);
+  const Vec2<Real> normal = inverse * overlap.total;
+  const Vec2<Real> along{-normal.y, normal.x};
+  Real seen(1.0);
+  if (of.starts) {
+    take_up<Lane>(of, pair, raw, along, state, seen);
   }
+  // A force that has fallen below the offset takes the offset with it: what is not given back now
+  // is given never.
+  const Real scaled = state.factor * raw;
+  state.offset = smaller(scaled, state.offset);
+  const Real force = scaled - state.offset;
+  const Real stiffness =
+      Lane::gather(of.states->tangential_penalty.data(), pair) * extent_along(overlap, along);
+  const auto first = slots.corners(0, of.motion.vx, of.motion.vy);
+  const auto second = slots.corners(1, of.motion.vx, of.motion.vy);
+  const Real speed =
+      dot(weighted(first, overlap.centre[0]) - weighted(second, overlap.centre[1]), along);
+  rub(stiffness, speed * Real(of.dt), Lane::gather(of.states->friction.data(), pair) * force, seen,
+      state);
+  state.depth = extent_along(overlap, normal);
+  const Real scale = inverse * force;
+  const Vec2<Real> shear = state.tangential * along;
+  PairCornerForces<Real> result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    result[0][k] = scale * overlap.on[0][k] + overlap.centre[0][k] * shear;
+    result[1][k] = scale * overlap.on[1][k] - overlap.centre[1][k] * shear;
+  }
+  return result;
 }
 
 }  // namespace
 
-void PairStates::resize(std::size_t pairs) {
-  state.assign(pairs, PairState{});
-  force.resize(pairs);
-  touching.assign(pairs, 0);
-  edge.assign(pairs, 0);
-  start.assign(pairs, PairStart::fresh);
-}
-
-std::array<double, 2> pair_penalty(const Surface& a, const Surface& b, const PlacedTriangle& now_a,
-                                   const PlacedTriangle& now_b) {
-  const double penalty = in_series(a.penalty, b.penalty);
-  return {penalty * a.twice_area / twice_area(now_a), penalty * b.twice_area / twice_area(now_b)};
-}
-
-void PairForceKernel::operator()(ScalarLane lane) const {
-  const auto p = at(lane.first);
-  const auto a = at(pair[p][0]);
-  const auto b = at(pair[p][1]);
-  const PairStart start = states->start[p];
-  if (start != PairStart::none) {
-    states->start[p] = PairStart::none;
+template <class Lane>
+void PairForces::advance(const Index* pair, Index count, Index place) const {
+  using Real = typename Lane::Real;
+  const Real zero(0.0);
+  const Real one(1.0);
+  const PairSlots<Lane> slots(*states, pair);
+  const PairPlaces<Real> now = places_of<Lane>(*this, pair, slots);
+  const std::array<Real, 2> area{twice_area(now.first), twice_area(now.second)};
+  const auto solid = area[0] > zero && area[1] > zero;
+  const PairSides<Real> sides = pair_sides(now);
+  const auto apart = solid && separated(sides);
+  const auto touch = solid && !apart;
+  PairState<Real> state = load_state<Lane>(*states, pair);
+  // What has parted remembers nothing.
+  PairState<Real> parted{one, zero, zero, zero, state.loss + state.stored, zero, zero};
+  if (any(apart)) {
+    const Real gap = select(apart, gap_between(now, sides), zero);
+    parted.rest = select(gap > zero, Real(travelled) + Real(gap_share) * gap, zero);
   }
-  const bool solid = twice_area(placed[a]) > 0.0 && twice_area(placed[b]) > 0.0;
-  const PlacedPair now = place_pair(placed[a], placed[b]);
-  if (!solid || separated(now, states->edge[p])) {
-    if (states->touching[p] != 0) {
-      states->touching[p] = 0;
-      part(states->state[p]);
-    }
-    return;
+  if (any(touch)) {
+    const std::array<Real, 2> safe{select(touch, area[0], one), select(touch, area[1], one)};
+    const std::array<Real, 2> penalty{Lane::gather(states->stiffness_first.data(), pair) / safe[0],
+                                      Lane::gather(states->stiffness_second.data(), pair) /
+                                          safe[1]};
+    state.rest = zero;
+    const auto forces =
+        press<Lane>(*this, pair, slots, overlap_force(now, sides, safe, penalty), state);
+    store_forces<Lane>(*records, place, forces);
+    store_places<Lane>(*records, place, now);
   }
-  PairState& state = states->state[p];
-  const OverlapForce overlap =
-      overlap_force(now, pair_penalty(surface[a], surface[b], placed[a], placed[b]));
-  const double raw = std::sqrt(dot(overlap.total, overlap.total));
-  const Point normal = raw > 0.0 ? (1.0 / raw) * overlap.total : Point{};
-  const Point along{-normal.y, normal.x};
-  if (start == PairStart::fresh) {
-    state.offset = raw;
-  } else if (start == PairStart::handed) {
-    const auto found = std::lower_bound(
-        handed.begin(), handed.end(), lane.first,
-        [](const PairHandOver& entry, Index wanted) { return entry.pair < wanted; });
-    take_over(*found, raw, along, state);
+  store_state<Lane>(*states, pair, choose(touch, state, parted));
+  std::array<double, Lane::width> touching;
+  Lane::store(touching.data(), select(touch, one, zero));
+  for (Index i = 0; i < count; ++i) {
+    states->place[at(pair[i])] = touching[at(i)] > 0.0 ? place + i : mesh::none;
   }
-  const double force = effective_force(raw, state);
-  const double scale = raw > 0.0 ? force / raw : 0.0;
-  PairForces& forces = states->force[p];
-  for (std::size_t side = 0; side < 2; ++side) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      forces[side][k] = scale * overlap.on[side][k];
+  if (starts) {
+    for (Index i = 0; i < count; ++i) {
+      states->start[at(pair[i])] = PairStart::none;
     }
   }
-  const double length = extent_along(overlap, along);
-  const double stiffness =
-      in_series(surface[a].tangential_penalty, surface[b].tangential_penalty) * length;
-  const double speed = dot(
-      weighted(velocity[a], overlap.centre[0]) - weighted(velocity[b], overlap.centre[1]), along);
-  const double limit = std::min(surface[a].friction, surface[b].friction) * force;
-  const bool first = start != PairStart::none;
-  rub(stiffness, first ? 0.0 : speed * dt, limit, first, state);
-  add_tangential(overlap, state.tangential * along, forces);
-  state.depth = extent_along(overlap, normal);
-  states->touching[p] = 1;
 }
+
+template void PairForces::advance<ScalarLane>(const Index*, Index, Index) const;
+template void PairForces::advance<VectorLane>(const Index*, Index, Index) const;
 
 }  // namespace percolith::mechanics

@@ -2,92 +2,74 @@
 #pragma once
 
 #include "percolith/core/execution.hpp"
-#include "percolith/mechanics/contact/placed_triangle.hpp"
-#include "percolith/mesh/mesh.hpp"
+#include "percolith/mechanics/contact/overlap_force.hpp"
+#include "percolith/mechanics/contact/pair_states.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace percolith::mechanics {
 
-using mesh::Index;
-
-/// How a pair takes up its force when it is looked at for the first time.
-enum class PairStart : std::uint8_t {
-  none,   ///< it has been looked at
-  fresh,  ///< an overlap that is already there gives no force of its own
-  handed  ///< it carries on the force of a joint
-};
-
-/// What a pair remembers from step to step. The normal force is
-/// max(0, factor |f| - offset) along f, the integral (4).
-struct PairState {
-  double factor = 1.0;
-  double offset = 0.0;      ///< N/m
-  double tangential = 0.0;  ///< N/m, on the first triangle along t: f turned by +90 degrees
-  double stiffness = 0.0;   ///< Pa, of the tangential spring at the last step
-  double depth = 0.0;       ///< m, extent of the overlap along f; 0 without overlap
-  double loss = 0.0;        ///< J/m, tangential energy lost since the search
-};
-
-/// Energy in the tangential spring, J/m.
-inline double stored_energy(const PairState& s) {
-  return s.stiffness > 0.0 ? 0.5 * s.tangential * s.tangential / s.stiffness : 0.0;
-}
-
-/// Force that a joint hands to the contact of its faces, for a pair of the list.
+/// Force that a joint hands to the contact of its faces, for a listed pair.
 struct PairHandOver {
   Index pair = 0;
   double normal_force = 0.0;  ///< N/m, compression positive
   Point shear;                ///< N/m, on the first triangle
 };
 
-/// N/m, [triangle][corner].
-using PairForces = std::array<std::array<Point, 3>, 2>;
-
-/// What is kept for each pair of the list.
-struct PairStates {
-  std::vector<PairState> state;
-  std::vector<PairForces> force;       ///< meaningless where the pair does not touch
-  std::vector<std::uint8_t> touching;  ///< 1 where the triangles overlap
-  std::vector<std::uint8_t> edge;      ///< that separated them last: a hint, no state
-  std::vector<PairStart> start;
-  void resize(std::size_t pairs);
+/// Displacements (m) and velocities (m/s) of the corners, one entry a corner slot.
+struct CornerMotion {
+  std::span<const double> ux, uy, vx, vy;
 };
 
-/// What a candidate brings to its pairs.
-struct Surface {
-  double penalty = 0.0;             ///< p_n of (4), Pa
-  double tangential_penalty = 0.0;  ///< p_t of (6), Pa/m
-  double friction = 0.0;            ///< tan(phi) of (7)
-  double twice_area = 0.0;          ///< m2, undeformed
+/// Undeformed places of the corners as seen from corner 0 of their triangle, m, one entry a slot.
+struct CornerPlaces {
+  std::vector<double> x, y;
 };
 
-/// Velocities of the corners of a candidate, m/s.
-using CornerVelocities = std::array<Point, 3>;
+/// Pairs that are handled together: a multiple of the block width.
+inline constexpr Index pair_chunk = 256;
 
-/// The penalty of a pair: both in series, twice as stiff as the softer one at most.
-inline double in_series(double a, double b) {
-  return a == b ? a : 2.0 * a * b / (a + b);
-}
-
-/// The weights of the potentials of a pair, see `overlap_force`.
-std::array<double, 2> pair_penalty(const Surface& a, const Surface& b, const PlacedTriangle& now_a,
-                                   const PlacedTriangle& now_b);
-
-/// Forces and states of the pairs after a step of length `dt` (s), (4)-(7).
-struct PairForceKernel {
-  const std::array<Index, 2>* pair;
-  const PlacedTriangle* placed;
-  const Surface* surface;
-  const CornerVelocities* velocity;
-  std::span<const PairHandOver> handed;  // ascending pairs
-  double dt;
+/// Forces and states of the listed pairs after a step of length `dt` (s), (4)-(7). Of each chunk
+/// the pairs that may meet are put side by side, as many as a register holds.
+struct PairForces {
   PairStates* states;
+  PairRecords* records;
+  const CornerPlaces* undeformed;
+  CornerMotion motion;
+  std::span<const PairHandOver> handed;  ///< ascending pairs
+  double travelled = 0.0;                ///< m, way of any corner since the search at most
+  double dt = 0.0;                       ///< s
+  bool starts = true;                    ///< whether any pair is looked at for the first time
 
-  void operator()(ScalarLane lane) const;
+  template <class Lane>
+  void operator()(Lane lane, Index end) const {
+    std::array<Index, pair_chunk + block_width> active;
+    Index count = 0;
+    for (Index p = lane.first; p < end; ++p) {
+      active[at(count)] = p;
+      count += states->rest[at(p)] > travelled ? 0 : 1;
+    }
+    if (count == 0) {
+      return;
+    }
+    // What is left of the last register repeats a pair of it, and comes to the same.
+    std::fill_n(active.begin() + count, block_width, active[at(count) - 1]);
+    for (Index k = 0; k < count; k += Lane::width) {
+      advance<Lane>(active.data() + k, std::min(count - k, Lane::width), lane.first + k);
+    }
+  }
+
+private:
+  /// Handles the pairs of a lane, of which `count` are different, and puts their records from
+  /// `place` on.
+  template <class Lane>
+  void advance(const Index* pair, Index count, Index place) const;
 };
+
+extern template void PairForces::advance<ScalarLane>(const Index*, Index, Index) const;
+extern template void PairForces::advance<VectorLane>(const Index*, Index, Index) const;
 
 }  // namespace percolith::mechanics

@@ -24,20 +24,35 @@ inline double twice_area(const PlacedTriangle& t) {
 }
 
 /// The corners of two triangles as seen from corner 0 of the first, m.
-struct PlacedPair {
-  Corners first, second;
+template <class Real>
+struct PairPlaces {
+  std::array<Vec2<Real>, 3> first, second;
 };
+using PlacedPair = PairPlaces<double>;
 
 inline PlacedPair place_pair(const PlacedTriangle& a, const PlacedTriangle& b) {
   const Point between = (b.origin - a.origin) + (b.shift - a.shift);
   return {{Point{}, a.leg_1, a.leg_2}, {between, between + b.leg_1, between + b.leg_2}};
 }
 
+/// Twice the area, m2; not positive where the triangle is degenerate or inverted.
+template <class Real>
+PERCOLITH_DEVICE Real twice_area(const std::array<Vec2<Real>, 3>& triangle) {
+  return cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+}
+
+/// The corner that follows corner `k`.
+PERCOLITH_DEVICE std::size_t next_corner(std::size_t k) {
+  return k == 2 ? 0 : k + 1;
+}
+
 /// Twice the signed area between edge `i` (from corner i to the next) and a point, m2: positive on
 /// the inner side.
-inline double beside_edge(const Corners& triangle, std::size_t i, const Point& p) {
-  const Point& start = triangle[i];
-  return cross(triangle[i == 2 ? 0 : i + 1] - start, p - start);
+template <class Real>
+PERCOLITH_DEVICE Real beside_edge(const std::array<Vec2<Real>, 3>& triangle, std::size_t i,
+                                  const Vec2<Real>& p) {
+  const Vec2<Real> start = triangle[i];
+  return cross(triangle[next_corner(i)] - start, p - start);
 }
 
 }  // namespace percolith::mechanics

@@ -47,6 +47,25 @@ void for_each_partner(const CellGrid& grid, std::span<const Box> boxes, Index a,
   }
 }
 
+/// Calls `visit(i)` for the boxes that meet another one, maybe more than once.
+template <class Visit>
+void for_each_box(const CellGrid& grid, std::span<const Box> boxes, const Box& box,
+                  const Visit& visit) {
+  if (box.empty()) {
+    return;
+  }
+  const CellGrid::Range range = grid.range_of(box);
+  for (Index row = range.first_row; row <= range.last_row; ++row) {
+    for (Index column = range.first_column; column <= range.last_column; ++column) {
+      for (const Index i : grid.cell(column, row)) {
+        if (boxes_meet(box, boxes[at(i)])) {
+          visit(i);
+        }
+      }
+    }
+  }
+}
+
 struct CountPartners {
   const CellGrid* grid;
   std::span<const Box> boxes;
@@ -157,6 +176,36 @@ PairList find_pairs(std::span<const Candidate> candidates, std::span<const Place
   PairList list = collect(start, count, partner);
   execution.book("contact search", end);
   return list;
+}
+
+std::vector<std::array<Index, 2>> find_pairs_of(std::span<const Index> triangles,
+                                                std::span<const Candidate> candidates,
+                                                std::span<const PlacedTriangle> placed,
+                                                double margin) {
+  std::vector<Index> own;
+  std::vector<Box> boxes;
+  for (const Index t : triangles) {
+    const auto found =
+        std::lower_bound(candidates.begin(), candidates.end(), t,
+                         [](const Candidate& c, Index wanted) { return c.triangle < wanted; });
+    own.push_back(static_cast<Index>(found - candidates.begin()));
+    boxes.push_back(box_of(placed[at(own.back())], 0.5 * margin));
+  }
+  const CellGrid grid(boxes);
+  std::vector<std::array<Index, 2>> pairs;
+  for (Index c = 0; c < static_cast<Index>(candidates.size()); ++c) {
+    const Box box = box_of(placed[at(c)], 0.5 * margin);
+    for_each_box(grid, boxes, box, [&](Index i) {
+      const Index a = own[at(i)];
+      if (a != c && may_touch(candidates[at(a)], candidates[at(c)]) &&
+          are_near(placed[at(a)], placed[at(c)], margin)) {
+        pairs.push_back({std::min(a, c), std::max(a, c)});
+      }
+    });
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
 }
 
 }  // namespace percolith::mechanics

@@ -27,6 +27,12 @@ struct PairList {
                                   std::span<const PlacedTriangle> placed, double margin,
                                   Execution& execution);
 
+/// The pairs of `find_pairs` that have one of the given triangles in it; both lists ascend, and the
+/// triangles are candidates.
+[[nodiscard]] std::vector<std::array<Index, 2>>
+find_pairs_of(std::span<const Index> triangles, std::span<const Candidate> candidates,
+              std::span<const PlacedTriangle> placed, double margin);
+
 /// Whether two triangles are no more than `margin` apart: the test of `find_pairs`.
 [[nodiscard]] bool are_near(const PlacedTriangle& a, const PlacedTriangle& b, double margin);
 
