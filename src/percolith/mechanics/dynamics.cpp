@@ -116,10 +116,6 @@ void Dynamics::book(const LaneTotals<terms>& totals, double dt) {
   e.gravity_work += value(Term::gravity);
   e.support_work += value(Term::support);
   e.damping += -value(Term::damping);
-  e.ahead = {0.5 * value(Term::joint), 0.5 * value(Term::contact), 0.5 * value(Term::load),
-             0.5 * value(Term::gravity), 0.5 * value(Term::support)};
-  e.damping_ahead = -0.5 * value(Term::damping);
-  e.viscous_ahead = -0.5 * value(Term::viscous);
   e.unbalanced = value(Term::unbalanced);
   e.internal = value(Term::stressing);
   travelled_ = std::sqrt(totals.peak) * dt;

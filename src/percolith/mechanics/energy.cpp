@@ -45,22 +45,20 @@ double stored_in_joints(const Model& model, const JointTable& table, const Execu
 EnergyBalance energy_balance(const Model& model, const JointTable& table, const EnergyStart& start,
                              double contact_friction, const Execution& execution) {
   const Energies& e = model.energy;
-  const double back = model.motion.last_step;
-  const auto& [joint, contact, load, gravity, support] = e.ahead;
   EnergyBalance b;
   b.kinetic = e.kinetic;
-  b.elastic = elastic_energy(model, execution, back);
-  b.joint = stored_in_joints(model, table, execution, back);
-  const double absorbed = e.absorbed.total() - e.absorbed_ahead;
-  b.absorbed = absorbed + e.taken_out.total() + e.joints_taken_out.total();
-  b.damping = (e.damping.total() - e.damping_ahead) + (e.viscous.total() - e.viscous_ahead);
-  b.gravity = e.gravity_work.total() - gravity;
-  b.external = (e.load_work.total() - load) + absorbed + (e.support_work.total() - support);
+  const double half = 0.5 * model.motion.last_step;
+  b.elastic = elastic_energy(model, execution, half);
+  b.joint = stored_in_joints(model, table, execution, half);
+  b.absorbed = e.absorbed.total() + e.taken_out.total() + e.joints_taken_out.total();
+  b.damping = e.damping.total() + e.viscous.total();
+  b.gravity = e.gravity_work.total();
+  b.external = e.load_work.total() + e.absorbed.total() + e.support_work.total();
   b.friction = contact_friction + e.closed_friction.total();
   const double handed = e.handed_over.total();
-  b.contact = handed - (e.contact_work.total() - contact) - contact_friction;
-  b.fracture = -(e.joint_work.total() - joint) - (b.joint - start.joint) -
-               e.closed_friction.total() - handed - e.joints_taken_out.total();
+  b.contact = handed - e.contact_work.total() - contact_friction;
+  b.fracture = -e.joint_work.total() - (b.joint - start.joint) - e.closed_friction.total() -
+               handed - e.joints_taken_out.total();
   b.residual =
       b.gravity + b.external -
       ((b.kinetic - start.kinetic) + (b.elastic - start.elastic) + (b.joint - start.joint) +

@@ -13,8 +13,8 @@ struct JointPoints {
   std::array<material::JointTraction<double>, 2> traction{};  ///< Pa; of the bond, 0 without one
 };
 
-/// Opening and slip of any joint, and the traction of its bond with the memory as it stands; `back`
-/// (s): where its corners were that long ago, within the last step.
+/// Opening and slip of any joint, and the traction of its bond with the memory as it stands.
+/// `back` (s): where the corners were so long ago, at their present velocities.
 [[nodiscard]] JointPoints joint_points(const Model& model, const JointTable& table, Index joint,
                                        double back = 0.0);
 

@@ -128,11 +128,9 @@ void LoadSet::add_points(Model& model) const {
 }
 
 void LoadSet::book_absorbed(Model& model, double dt) const {
-  model.energy.absorbed_ahead = 0.0;
   for (std::size_t i = 0; i < list_.dashpot.size(); ++i) {
-    const double work = -0.5 * dt * dot(drag_[i], velocity(model, list_.dashpot[i].corner));
-    model.energy.absorbed += work;
-    model.energy.absorbed_ahead += work;
+    const Point v = velocity(model, list_.dashpot[i].corner);
+    model.energy.absorbed += -0.5 * dt * dot(drag_[i], v);
   }
 }
 

@@ -125,10 +125,6 @@ struct Energies {
   CompensatedSum handed_over;       ///< stored by closed joints when contact took over
   CompensatedSum taken_out;         ///< held by triangles that were taken out
   CompensatedSum joints_taken_out;  ///< held by their joints
-  /// Half of what the last step added to the works above, in the order of joints, contact, loads,
-  /// gravity and supports: works count up to the middle of a step, energies are those of its start.
-  std::array<double, 5> ahead{};
-  double damping_ahead = 0.0, viscous_ahead = 0.0, absorbed_ahead = 0.0;
   double unbalanced = 0.0;  ///< sum of |F| over the corners, last step, N/m
   double internal = 0.0;    ///< sum of |internal force|, last step, N/m
 };
