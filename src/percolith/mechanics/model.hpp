@@ -85,7 +85,9 @@ struct ClosedJoint {
   std::array<double, 2> shear{};  ///< traction along the joint in the last step, Pa, [point]
   std::array<double, 2> slip{};   ///< in the last step, m, [point]
   std::array<double, 2> slip_at_start{};  ///< m, [point]
+  double loss = 0.0;                      ///< spent by friction in the last step, J/m
 };
+
 /// Displacement and velocity.
 struct Motion {
   double time = 0.0;           ///< s
@@ -125,8 +127,8 @@ struct Energies {
   CompensatedSum handed_over;       ///< stored by closed joints when contact took over
   CompensatedSum taken_out;         ///< held by triangles that were taken out
   CompensatedSum joints_taken_out;  ///< held by their joints
-  double unbalanced = 0.0;  ///< sum of |F| over the corners, last step, N/m
-  double internal = 0.0;    ///< sum of |internal force|, last step, N/m
+  double unbalanced = 0.0;          ///< sum of |F| over the corners, last step, N/m
+  double internal = 0.0;            ///< sum of |internal force|, last step, N/m
 };
 
 struct Damping {
