@@ -65,18 +65,45 @@ def measure(kind: str, values: Profile, scale: float = 1.0) -> float:
     return float(sizes[kind]()) / scale
 
 
+def read(example: str) -> dict:
+    """The file expected.toml of an example."""
+    with open(EXAMPLES / example / "expected.toml", "rb") as file:
+        return tomllib.load(file)
+
+
+def history_value(criterion: dict, run: RunDirectory) -> float:
+    """The last, largest or smallest value of a sum of columns of the history; where the criterion
+    has an expected value, the relative difference from it, else the size over `scale`."""
+    values = sum(run.history[column] for column in criterion["columns"])
+    value = {"last": lambda: values[-1], "maximum": values.max, "minimum": values.min}[
+        criterion["measure"]]()
+    if "expected" in criterion:
+        return float(abs(value / criterion["expected"] - 1))
+    return float(abs(value) / criterion.get("scale", 1.0))
+
+
 def evaluate(example: str, result: Result) -> list[tuple[str, float, float]]:
     """(name, value, limit) for each criterion of an example."""
-    with open(EXAMPLES / example / "expected.toml", "rb") as file:
-        expected = tomllib.load(file)
-    found = [("mass balance error over fluid in place and throughput", result.balance,
-              expected["balance"])]
+    expected = read(example)
+    found = []
+    if "balance" in expected:
+        found.append(("mass balance error over fluid in place and throughput", result.balance,
+                      expected["balance"]))
+    if "energy" in expected:
+        found.append(("error of the energy balance", result.energy_error, expected["energy"]))
     if "wall_time" in expected:
         found.append(("wall time, s", result.wall_time, expected["wall_time"]))
     for criterion in expected.get("rate", []):
         rates = result.results.summary["rate_m2_per_s"]
         rate = sum(rates[condition] for condition in criterion["conditions"])
         found.append((criterion["name"], abs(rate / criterion["expected"] - 1), criterion["limit"]))
+    for criterion in expected.get("history", []):
+        value = history_value(criterion, result.results)
+        found.append((criterion["name"], value, criterion["limit"]))
+    for criterion in expected.get("probe", []):
+        value = result.results.probe(criterion["probe"]).at_time()[criterion["quantity"]].mean()
+        found.append((criterion["name"], abs(value / criterion["expected"] - 1),
+                      criterion["limit"]))
     for criterion in expected.get("profile", []):
         values = profile(criterion, result.results, example)
         value = measure(criterion["measure"], values, criterion.get("scale", 1.0))

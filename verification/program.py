@@ -33,6 +33,11 @@ class Result:
         """Error of the mass balance over fluid in place and throughput."""
         return self.results.summary["mass_balance"]["relative_error"]
 
+    @property
+    def energy_error(self) -> float:
+        """Error of the energy balance over the largest energy or work."""
+        return self.results.summary["mechanics"]["energy_error"]
+
 
 def program() -> Path:
     """The program that the variable PERCOLITH names, else that of `make build`."""
@@ -42,15 +47,25 @@ def program() -> Path:
     return path
 
 
+def in_toml(value) -> str:
+    """A value as `--set` reads it: a number, text, list or table; empty for None."""
+    if value is None:
+        return ""
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{key} = {in_toml(entry)}" for key, entry in value.items()) + " }"
+    # JSON writes numbers, texts and lists of them as TOML reads them.
+    return json.dumps(value)
+
+
 def run_case(case: Path, output: Path, settings: dict | None = None, threads: int = 2) -> Result:
     """Runs `case` into the directory `output`, replacing earlier results. `settings` replaces
-    options of the case by their dotted path; values are numbers, texts or lists, in SI units.
+    options of the case by their dotted path; values are numbers, texts, lists or tables of them, in
+    SI units, or None to take an option out.
     Raises ProgramError with what the program said when it fails."""
     command = [str(program()), "run", str(case), "--output", str(output), "--force", "--quiet",
                "--threads", str(threads)]
     for key, value in (settings or {}).items():
-        # JSON writes numbers, texts and lists of them as TOML reads them.
-        command += ["--set", f"{key}={json.dumps(value)}"]
+        command += ["--set", f"{key}={in_toml(value)}"]
     environment = {**os.environ, "OMP_WAIT_POLICY": "passive"}
     output.parent.mkdir(parents=True, exist_ok=True)
     start = time.perf_counter()

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from pathlib import Path
 
 import criteria
@@ -24,19 +23,24 @@ def run_example(name: str, work: Path, label: str = "case", settings: dict | Non
     return run_case(example_case(name), work / label, settings, threads)
 
 
-def check_example(chapter: Chapter, name: str, work: Path) -> Result:
-    """Runs an example as shipped, adds a row a criterion and its field as a picture."""
+def check_criteria(chapter: Chapter, name: str, work: Path) -> Result:
+    """Runs an example as shipped and adds a row a criterion."""
     result = run_example(name, work)
     for i, (quantity, value, limit) in enumerate(criteria.evaluate(name, result)):
         chapter.at_most(f"criterion_{i}", quantity, value, limit)
+    return result
+
+
+def check_example(chapter: Chapter, name: str, work: Path) -> Result:
+    """Runs an example as shipped, adds a row a criterion and its field as a picture."""
+    result = check_criteria(chapter, name, work)
     for path in draw(result.results, output=work / "field.png"):
         chapter.add_picture(path, "The field as `percolith plot` draws it")
     return result
 
 
 def expected_profiles(name: str) -> list[dict]:
-    with open(criteria.EXAMPLES / name / "expected.toml", "rb") as file:
-        return tomllib.load(file)["profile"]
+    return criteria.read(name)["profile"]
 
 
 def compare_figure(curves: list[tuple[str, np.ndarray, np.ndarray, np.ndarray]], xlabel: str,

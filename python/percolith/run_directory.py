@@ -120,6 +120,14 @@ class RunDirectory:
             raise RunDirectoryError(f"{self.path}: a run of flow has no events")
         return read_table(self._file("events.csv"), words=("mode", "material"))
 
+    @cached_property
+    def fragments(self) -> Table:
+        """fragments.csv: one row a fragment and output time. Raises RunDirectoryError in a run of
+        flow."""
+        if not self.is_mechanics:
+            raise RunDirectoryError(f"{self.path}: a run of flow has no fragments")
+        return read_table(self._file("fragments.csv"))
+
     @property
     def is_mechanics(self) -> bool:
         return self.resolved.get("model", {}).get("physics") == "mechanics"

@@ -110,3 +110,5 @@ def test_columns_of_words_are_read_where_asked_for(tmp_path):
 def test_a_run_of_flow_has_no_events(run):
     with pytest.raises(RunDirectoryError, match="a run of flow has no events"):
         _ = run.events
+    with pytest.raises(RunDirectoryError, match="a run of flow has no fragments"):
+        _ = run.fragments

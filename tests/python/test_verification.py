@@ -65,3 +65,82 @@ def test_rows_beyond_their_limit_fail_and_reach_the_report(tmp_path):
     assert set(rows[0]) == {"id", "quantity", "value", "limit", "sense", "pass"}
     page = (tmp_path / "index.html").read_text()
     assert "2 of 5 comparisons pass" in page and "it broke &lt;here&gt;" in page
+
+
+@pytest.fixture
+def history_run():
+    from types import SimpleNamespace
+
+    columns = {"up": np.array([0.0, 3.0, 1.0]), "down": np.array([0.0, -1.0, -2.0])}
+    return SimpleNamespace(history=columns)
+
+
+@pytest.mark.parametrize("criterion, value", [
+    ({"columns": ["up"], "measure": "maximum", "expected": 4.0}, 0.25),
+    ({"columns": ["up", "down"], "measure": "last", "scale": 2.0}, 0.5),
+    ({"columns": ["down"], "measure": "minimum", "expected": -2.0}, 0.0)])
+def test_criteria_on_the_history(history_run, criterion, value):
+    import criteria
+
+    assert criteria.history_value(criterion, history_run) == pytest.approx(value)
+
+
+def test_settings_are_written_as_the_command_line_reads_them():
+    from program import in_toml
+
+    table = {"times": [0, 0.5], "values": [0, 5e6], "interpolation": "step"}
+    assert in_toml(table) == '{ times = [0, 0.5], values = [0, 5000000.0], interpolation = "step" }'
+    assert in_toml(None) == ""
+    assert in_toml("elastic") == '"elastic"'
+
+
+def test_formulas_of_solids():
+    import solid_formulas as solid
+
+    # Under equal stresses the wall moves by a p/(2 G); far out a ring is a hole.
+    inward = solid.tunnel_wall_displacement([0.0, 1.0], -10e6, -10e6, 1.0, 10e9, 0.25)
+    assert inward == pytest.approx([-1.25e-3, -1.25e-3])
+    assert solid.ring_displacement(1.0, 10e6, 1.0, 1e6, 10e9, 0.25) == pytest.approx(1.25e-3)
+    radial, hoop = solid.tunnel_stress(np.array([1.0, 1e4]), -15e6, -10e6, 1.0)
+    assert radial == pytest.approx([0.0, -15e6], rel=1e-6, abs=1.0)
+    assert hoop == pytest.approx([3 * -10e6 + 15e6, -10e6], rel=1e-6)
+    assert solid.wave_speeds(10e9, 0.25, 2500.0) == pytest.approx([2190.89, 1264.91], rel=1e-5)
+    assert solid.mohr_coulomb(5e6, 10e6, np.pi / 6) == pytest.approx(49.641e6, rel=1e-5)
+    assert solid.slide_distance(2.0, np.radians(35), np.radians(30)) == pytest.approx(1.97453, 1e-4)
+    assert solid.slide_distance(1.0, np.radians(25), np.radians(30)) == 0.0
+
+
+def test_beams_and_mixed_mode():
+    import solid_formulas as solid
+
+    beam = solid.DoubleCantilever(10e9, 0.2, 100.0, 0.1)
+    opening = 1.2e-3
+    length = beam.length(opening)
+    assert beam.load(length) == pytest.approx(float(beam.elastic_load(opening, length)))
+    assert beam.load(0.3) == pytest.approx(25456, rel=1e-4)
+    for direction, energy in ((0.0, 100.0), (np.pi / 2, 200.0), (np.pi / 4, 300 / 2**0.5)):
+        assert solid.mixed_energy(direction, 5e6, 10e6, 100.0, 200.0) == pytest.approx(energy)
+
+
+def make_frame():
+    from percolith.run_directory import Frame
+    from percolith.vtu import Grid
+
+    points = np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [2.0, 2.0]])
+    velocity = np.array([[3.0, 0.0], [0.0, 0.0], [0.0, 3.0], [0.0, 6.0]])
+    matrix = Grid(points, np.array([[0, 1, 2], [1, 3, 2]]), {"velocity_m_per_s": velocity})
+    cracks = Grid(points, np.array([[1, 2], [0, 1]]), {}, {"mode": np.array([2, 0])})
+    return Frame(0.0, matrix, cracks)
+
+
+def test_sums_over_bodies():
+    import solid
+
+    frame = make_frame()
+    assert solid.areas(frame) == pytest.approx([2.0, 2.0])
+    assert solid.mean_of(frame, "velocity_m_per_s") == pytest.approx([0.5, 2.0])
+    assert solid.mean_of(frame, "velocity_m_per_s", np.array([True, False])) == pytest.approx(
+        [1.0, 1.0])
+    broken = solid.broken_by_mode(frame)
+    assert broken["shear"] == pytest.approx(np.array([[1.0, 1.0]]))
+    assert len(broken["tensile"]) == 0

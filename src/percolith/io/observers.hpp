@@ -38,6 +38,11 @@ public:
       observer->on_events(events);
     }
   }
+  void on_fragments(double time, const std::vector<simulation::FragmentRow>& rows) override {
+    for (Observer* observer : observers_) {
+      observer->on_fragments(time, rows);
+    }
+  }
   void on_warning(const std::string& warning) override {
     for (Observer* observer : observers_) {
       observer->on_warning(warning);

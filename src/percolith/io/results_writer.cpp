@@ -4,6 +4,7 @@
 #include "percolith/io/csv.hpp"
 #include "percolith/io/events.hpp"
 #include "percolith/io/field_files.hpp"
+#include "percolith/io/fragments.hpp"
 #include "percolith/io/history.hpp"
 #include "percolith/io/probes.hpp"
 
@@ -54,6 +55,14 @@ void ResultsWriter::on_events(const std::vector<simulation::BreakEvent>& events)
     events_->append(events_header());
   }
   events_->append(event_lines(events));
+}
+
+void ResultsWriter::on_fragments(double time, const std::vector<simulation::FragmentRow>& rows) {
+  if (!fragments_) {
+    fragments_.emplace(folder_ / "fragments.csv");
+    fragments_->append(fragments_header());
+  }
+  fragments_->append(fragment_lines(time, rows));
 }
 
 }  // namespace percolith::io

@@ -23,8 +23,9 @@ namespace fs = std::filesystem;
 
 // The log is never removed by a new run, so a lock on it cannot be lost to one that replaces it.
 constexpr const char* log_name = "run.log";
-constexpr std::array<std::string_view, 6> table_names = {
-    "resolved.toml", "summary.json", "history.csv", "events.csv", "matrix.pvd", "cracks.pvd"};
+constexpr std::array<std::string_view, 7> table_names = {
+    "resolved.toml", "summary.json", "history.csv", "events.csv",
+    "fragments.csv", "matrix.pvd",   "cracks.pvd"};
 
 [[noreturn]] void refuse(const fs::path& path, const char* reason, const char* allowed) {
   throw InputError({{}, "--output", path.string(), reason, allowed});

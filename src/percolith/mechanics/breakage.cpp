@@ -12,9 +12,11 @@
 namespace percolith::mechanics {
 namespace {
 
-/// Shares of the ranges of softening a point has gone through, squared: opening and slip.
+/// Means over the points of the shares of the ranges of softening they went through, and of the
+/// squares of these shares.
 struct Path {
   double opening = 0.0, slip = 0.0;
+  double opening_square = 0.0, slip_square = 0.0;
 };
 
 /// Mean over both points of what the bond of a joint went through.
@@ -28,15 +30,22 @@ Path path_of(const Model& model, const material::JointConstants<double>& c, Inde
         (joints.opening_peak[g][at(j)] - factor * c.tensile / stiffness) * c.opening_range;
     const double slip =
         (joints.slip_peak[g][at(j)] - factor * c.cohesion / stiffness) * c.slip_range;
-    path.opening += 0.5 * std::pow(std::clamp(opening, 0.0, 1.0), 2);
-    path.slip += 0.5 * std::pow(std::clamp(slip, 0.0, 1.0), 2);
+    const double opened = std::clamp(opening, 0.0, 1.0);
+    const double slid = std::clamp(slip, 0.0, 1.0);
+    // Where one point failed long before the other, its peaks have grown since.
+    const double more = std::max(1.0, opened * opened + slid * slid);
+    path.opening += 0.5 * opened / std::sqrt(more);
+    path.slip += 0.5 * slid / std::sqrt(more);
+    path.opening_square += 0.5 * opened * opened / more;
+    path.slip_square += 0.5 * slid * slid / more;
   }
   return path;
 }
 
 Mode mode_of(const Path& path) {
   constexpr double pure = 0.9;
-  const double opening = path.opening / std::max(path.opening + path.slip, 1e-300);
+  const double opening =
+      path.opening_square / std::max(path.opening_square + path.slip_square, 1e-300);
   if (opening > pure) {
     return Mode::tensile;
   }
@@ -49,8 +58,8 @@ Breakage breakage_of(const Model& model, const JointTable& table, Index j) {
   const double factor = model.joints.factor.empty() ? 1.0 : model.joints.factor[at(j)];
   const double length = model.mesh.joint_length(j);
   // On a straight path in opening and slip the bond spends just this share of G_I and G_II.
-  const double spent = kind.strength.mode_1_energy * std::sqrt(path.opening) +
-                       kind.strength.mode_2_energy * std::sqrt(path.slip);
+  const double spent =
+      kind.strength.mode_1_energy * path.opening + kind.strength.mode_2_energy * path.slip;
   return {j, model.motion.time, mode_of(path), length, factor * length * spent};
 }
 

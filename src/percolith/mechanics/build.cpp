@@ -164,7 +164,8 @@ Model make_model(mesh::Mesh mesh, Ingredients from) {
   for (std::size_t j = 0; j < tied.size(); ++j) {
     tied[j] = from.joint_state[j] == JointState::tied ? 1 : 0;
     bonded[j] =
-        from.joint_state[j] != JointState::closed && from.joint_state[j] != JointState::broken ? 1 : 0;
+        from.joint_state[j] != JointState::closed && from.joint_state[j] != JointState::broken ? 1
+                                                                                               : 0;
   }
   Triangles triangles = make_triangles(mesh, from);
   triangles.edge_joint = edge_joints(mesh);

@@ -32,7 +32,6 @@ ClosedTraction traction_of(const ClosedJoint& closed, const JointPoints& points,
 
 struct ClosedForces {
   Model* model;
-  double* dissipated;
 
   void operator()(ScalarLane lane) const {
     ClosedJoint& closed = model->closed[at(lane.first)];
@@ -47,7 +46,7 @@ struct ClosedForces {
       closed.shear[g] = t[g].shear;
       closed.slip[g] = k.slip[g];
     }
-    dissipated[lane.first] = 0.5 * length * spent;
+    closed.loss = 0.5 * length * spent;
     const auto f = joint_forces(k.place, length, t);
     double* out = model->joints.force.data() + force_slot(closed.joint);
     out[0] = f[0].x;
@@ -72,10 +71,10 @@ void add_closed_joints(Model& model, Execution& execution) {
   if (model.closed.empty()) {
     return;
   }
-  std::vector<double> dissipated(model.closed.size());
   const auto n = static_cast<Index>(model.closed.size());
-  execution.for_each("closed joints", n, ClosedForces{&model, dissipated.data()});
-  model.energy.closed_friction += execution.sum(n, [&](Index i) { return dissipated[at(i)]; });
+  execution.for_each("closed joints", n, ClosedForces{&model});
+  model.energy.closed_friction +=
+      execution.sum(n, [&](Index i) { return model.closed[at(i)].loss; });
 }
 
 std::vector<ClosedJointEnd> ended_closed_joints(const Model& model) {
@@ -100,10 +99,10 @@ std::vector<ClosedJointEnd> ended_closed_joints(const Model& model) {
   return ended;
 }
 
-double stored_in_closed_joints(const Model& model) {
+double stored_in_closed_joints(const Model& model, double back) {
   double stored = 0.0;
   for (const ClosedJoint& closed : model.closed) {
-    stored += stored_in(closed, joint_openings(model, closed.joint),
+    stored += stored_in(closed, joint_openings(model, closed.joint, back),
                         model.mesh.joint_length(closed.joint));
   }
   return stored;

@@ -25,7 +25,7 @@ struct ClosedJointEnd {
 /// longer face each other; ascending.
 [[nodiscard]] std::vector<ClosedJointEnd> ended_closed_joints(const Model& model);
 
-/// Energy the closed joints would give back, J/m.
-[[nodiscard]] double stored_in_closed_joints(const Model& model);
+/// Energy the closed joints would give back, J/m; `back` as in `joint_points`.
+[[nodiscard]] double stored_in_closed_joints(const Model& model, double back = 0.0);
 
 }  // namespace percolith::mechanics

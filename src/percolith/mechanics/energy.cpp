@@ -7,12 +7,12 @@
 
 namespace percolith::mechanics {
 
-double elastic_energy(const Model& model, const Execution& execution) {
+double elastic_energy(const Model& model, const Execution& execution, double back) {
   return execution.sum(model.mesh.triangles(), [&](Index t) {
     if (model.triangles.inverse_mass[at(t)] == 0.0) {
       return 0.0;
     }
-    const TriangleStrain strained = triangle_strain(model, t);
+    const TriangleStrain strained = triangle_strain(model, t, back);
     const auto& stiffness = model.material[at(model.triangles.material[at(t)])].stiffness;
     const Tensor& e = strained.strain;
     const Tensor s = material::stress_of(stiffness, e);
@@ -26,19 +26,20 @@ double elastic_energy(const Model& model, const Execution& execution) {
   });
 }
 
-double stored_in_joints(const Model& model, const JointTable& table, const Execution& execution) {
+double stored_in_joints(const Model& model, const JointTable& table, const Execution& execution,
+                        double back) {
   const double bonded = execution.sum(model.mesh.joints(), [&](Index j) {
     if (model.joints.state[at(j)] != JointState::bonded) {
       return 0.0;
     }
-    const JointPoints points = joint_points(model, table, j);
+    const JointPoints points = joint_points(model, table, j, back);
     double stored = 0.0;
     for (std::size_t g = 0; g < 2; ++g) {
       stored += material::stored_energy(points.traction[g], points.opening[g], points.slip[g]);
     }
     return 0.5 * model.mesh.joint_length(j) * stored;
   });
-  return bonded + stored_in_closed_joints(model);
+  return bonded + stored_in_closed_joints(model, back);
 }
 
 EnergyBalance energy_balance(const Model& model, const JointTable& table, const EnergyStart& start,
@@ -46,8 +47,9 @@ EnergyBalance energy_balance(const Model& model, const JointTable& table, const 
   const Energies& e = model.energy;
   EnergyBalance b;
   b.kinetic = e.kinetic;
-  b.elastic = elastic_energy(model, execution);
-  b.joint = stored_in_joints(model, table, execution);
+  const double half = 0.5 * model.motion.last_step;
+  b.elastic = elastic_energy(model, execution, half);
+  b.joint = stored_in_joints(model, table, execution, half);
   b.absorbed = e.absorbed.total() + e.taken_out.total() + e.joints_taken_out.total();
   b.damping = e.damping.total() + e.viscous.total();
   b.gravity = e.gravity_work.total();

@@ -8,16 +8,19 @@
 namespace percolith::mechanics {
 
 /// Energy of the rock strained from its in-situ stress, J/m: sum of A (E.D.E/2 + S_0.E).
-[[nodiscard]] double elastic_energy(const Model& model, const Execution& execution);
+/// `back` (s): where the corners were so long ago, at their present velocities.
+[[nodiscard]] double elastic_energy(const Model& model, const Execution& execution,
+                                    double back = 0.0);
 
 /// Energy that bonded joints would give back along their secants and closed ones from their
-/// springs, J/m; in-situ stress counts from the start.
+/// springs, J/m; in-situ stress counts from the start. `back` as for `elastic_energy`.
 [[nodiscard]] double stored_in_joints(const Model& model, const JointTable& table,
-                                      const Execution& execution);
+                                      const Execution& execution, double back = 0.0);
 
-/// Energy balance since time zero, J/m. Works and kinetic energy are those of the discrete motion
-/// and close to round-off; elastic energy and the energy in joints are functions of the state, so
-/// that `residual` shows the error of the integration in time.
+/// Energy balance from time zero to the middle of the last step, J/m, where the velocities are.
+/// Works and kinetic energy are those of the discrete motion and close to round-off; elastic energy
+/// and the energy in joints are functions of the positions half a step ago, so that `residual`
+/// shows the error of the integration in time, which falls with the square of the step.
 struct EnergyBalance {
   double kinetic = 0.0, elastic = 0.0;  ///< now
   double joint = 0.0;                   ///< stored in bonded and closed joints, since the start

@@ -4,6 +4,7 @@
 #include "percolith/mechanics/build.hpp"
 #include "percolith/mechanics/energy.hpp"
 #include "percolith/mechanics/joint_points.hpp"
+#include "percolith/mechanics/solid_forces.hpp"
 #include "percolith/mechanics/strain.hpp"
 
 #include <algorithm>
@@ -34,8 +35,10 @@ CornerForces<double> own_forces(const Model& model, Index t) {
 /// What the removed corners of shared nodes give to a corner of the rest of the same node.
 void support_by_nodes(const Model& model, std::span<const std::uint8_t> removed,
                       std::span<const Index> triangles, std::vector<CornerForce>& support) {
+  const SolidForces forces(model);
   for (const Index t : triangles) {
-    const CornerForces<double> force = own_forces(model, t);
+    const CornerForces<double> own = own_forces(model, t);
+    const CornerVectors<double> joints = forces.of_joints<ScalarLane>(mesh::corner_of(t, 0));
     for (Index k = 0; k < 3; ++k) {
       const Index corner = mesh::corner_of(t, k);
       Index kept = mesh::none;
@@ -45,7 +48,7 @@ void support_by_nodes(const Model& model, std::span<const std::uint8_t> removed,
         }
       });
       if (kept != mesh::none) {
-        support.push_back({kept, force[at(k)]});
+        support.push_back({kept, own[at(k)] + joints[at(k)]});
       }
     }
   }

@@ -15,18 +15,18 @@ JointTable joint_table(const Model& model) {
   return table;
 }
 
-JointForces::JointForces(Model& model, const JointTable& constants_of_kinds)
-    : ux(model.motion.ux.data()), uy(model.motion.uy.data()), slot(model.joints.slot.data()),
-      ex(model.joints.ex.data()), ey(model.joints.ey.data()),
-      stiffness(model.joints.stiffness.data()), strength(model.joints.strength.data()),
-      uniform(model.joints.uniform.data()), table(constants_of_kinds.data()),
-      factor(model.joints.factor.empty() ? nullptr : model.joints.factor.data()),
-      starts(!model.joints.opening_start[0].empty()),
-      opening_start{model.joints.opening_start[0].data(), model.joints.opening_start[1].data()},
-      slip_start{model.joints.slip_start[0].data(), model.joints.slip_start[1].data()},
-      opening_peak{model.joints.opening_peak[0].data(), model.joints.opening_peak[1].data()},
-      slip_peak{model.joints.slip_peak[0].data(), model.joints.slip_peak[1].data()},
-      damage{model.joints.damage[0].data(), model.joints.damage[1].data()},
-      condition(model.joints.condition.data()), force(model.joints.force.data()) {}
+JointForces::JointForces(Model& model, const JointTable& table)
+    : ux_(model.motion.ux.data()), uy_(model.motion.uy.data()), slot_(model.joints.slot.data()),
+      ex_(model.joints.ex.data()), ey_(model.joints.ey.data()),
+      stiffness_(model.joints.stiffness.data()), strength_(model.joints.strength.data()),
+      uniform_(model.joints.uniform.data()), table_(table.data()),
+      factor_(model.joints.factor.empty() ? nullptr : model.joints.factor.data()),
+      starts_(!model.joints.opening_start[0].empty()),
+      opening_start_{model.joints.opening_start[0].data(), model.joints.opening_start[1].data()},
+      slip_start_{model.joints.slip_start[0].data(), model.joints.slip_start[1].data()},
+      opening_peak_{model.joints.opening_peak[0].data(), model.joints.opening_peak[1].data()},
+      slip_peak_{model.joints.slip_peak[0].data(), model.joints.slip_peak[1].data()},
+      damage_{model.joints.damage[0].data(), model.joints.damage[1].data()},
+      condition_(model.joints.condition.data()), force_(model.joints.force.data()) {}
 
 }  // namespace percolith::mechanics

@@ -21,7 +21,7 @@ struct JointForces {
   PERCOLITH_DEVICE void operator()(Lane lane) const {
     using Real = typename Lane::Real;
     const Index j = lane.first;
-    const Vec2<Real> edge{Lane::load(ex + j), Lane::load(ey + j)};
+    const Vec2<Real> edge{Lane::load(ex_ + j), Lane::load(ey_ + j)};
     const JointPlace<Real> place = joint_place(edge, displacements<Lane>(j));
     const material::JointConstants<Real> c = constants<Lane>(j);
     std::array<Real, 2> opening;
@@ -32,20 +32,20 @@ struct JointForces {
       const Vec2<Real> apart = apart_at(place, g);
       opening[g] = dot(apart, place.across);
       slip[g] = dot(apart, place.along);
-      if (starts) {
-        opening[g] += Lane::load(opening_start[g] + j);
-        slip[g] += Lane::load(slip_start[g] + j);
+      if (starts_) {
+        opening[g] += Lane::load(opening_start_[g] + j);
+        slip[g] += Lane::load(slip_start_[g] + j);
       }
       t[g] = material::elastic_traction(c.stiffness, opening[g], slip[g]);
       weak = weak || material::exceeds_strength(c, t[g]);
     }
-    std::uint8_t& block = condition[j / block_width];
+    std::uint8_t& block = condition_[j / block_width];
     if (block != static_cast<std::uint8_t>(BlockCondition::whole) || any(weak)) {
       soften<Lane>(j, c, opening, slip, t, block);
     }
     const Real length = square_root(dot(edge, edge));
     const auto f = joint_forces(place, length, t);
-    double* out = force + force_slot(j);
+    double* out = force_ + force_slot(j);
     Lane::store(out, f[0].x);
     Lane::store(out + block_width, f[0].y);
     Lane::store(out + 2 * block_width, f[1].x);
@@ -57,10 +57,10 @@ private:
   PERCOLITH_DEVICE std::array<std::array<Vec2<typename Lane::Real>, 2>, 2>
   displacements(Index j) const {
     std::array<std::array<Vec2<typename Lane::Real>, 2>, 2> u;
-    const Index* corner = slot + force_slot(j);
+    const Index* corner = slot_ + force_slot(j);
     for (std::size_t side = 0; side < 2; ++side) {
       for (std::size_t end = 0; end < 2; ++end) {
-        u[side][end] = {Lane::gather(ux, corner), Lane::gather(uy, corner)};
+        u[side][end] = {Lane::gather(ux_, corner), Lane::gather(uy_, corner)};
         corner += block_width;
       }
     }
@@ -71,13 +71,13 @@ private:
   PERCOLITH_DEVICE material::JointConstants<typename Lane::Real> constants(Index j) const {
     using Real = typename Lane::Real;
     material::JointConstants<Real> c{};
-    if (uniform[j / block_width] != 0) {
-      const material::JointConstants<double>& one = table[strength[j]];
+    if (uniform_[j / block_width] != 0) {
+      const material::JointConstants<double>& one = table_[strength_[j]];
       c = {Real(0.0),          Real(one.tensile),       Real(one.cohesion),
            Real(one.friction), Real(one.opening_range), Real(one.slip_range)};
     } else {
       const auto pick = [&](double material::JointConstants<double>::*member) {
-        return Lane::generate([&](Index i) { return table[strength[j + i]].*member; });
+        return Lane::generate([&](Index i) { return table_[strength_[j + i]].*member; });
       };
       using Constants = material::JointConstants<double>;
       c = {Real(0.0),
@@ -87,10 +87,10 @@ private:
            pick(&Constants::opening_range),
            pick(&Constants::slip_range)};
     }
-    c.stiffness = Lane::load(stiffness + j);
-    if (factor != nullptr) {
+    c.stiffness = Lane::load(stiffness_ + j);
+    if (factor_ != nullptr) {
       // Weaker joints spend less energy: the opening and slip over which they soften stay the same.
-      const Real f = Lane::load(factor + j);
+      const Real f = Lane::load(factor_ + j);
       c.tensile = c.tensile * f;
       c.cohesion = c.cohesion * f;
     }
@@ -106,12 +106,12 @@ private:
     using Real = typename Lane::Real;
     Real least(1.0);
     for (std::size_t g = 0; g < 2; ++g) {
-      material::JointMemory<Real> memory{Lane::load(opening_peak[g] + j),
-                                         Lane::load(slip_peak[g] + j), Lane::load(damage[g] + j)};
+      material::JointMemory<Real> memory{Lane::load(opening_peak_[g] + j),
+                                         Lane::load(slip_peak_[g] + j), Lane::load(damage_[g] + j)};
       t[g] = material::softening_traction(c, opening[g], slip[g], memory);
-      Lane::store(opening_peak[g] + j, memory.opening_peak);
-      Lane::store(slip_peak[g] + j, memory.slip_peak);
-      Lane::store(damage[g] + j, memory.damage);
+      Lane::store(opening_peak_[g] + j, memory.opening_peak);
+      Lane::store(slip_peak_[g] + j, memory.slip_peak);
+      Lane::store(damage_[g] + j, memory.damage);
       least = smaller(least, memory.damage);
     }
     const auto reached = any(least >= Real(1.0)) ? BlockCondition::failed : BlockCondition::damaged;
@@ -121,21 +121,21 @@ private:
     }
   }
 
-  const double* ux;
-  const double* uy;
-  const Index* slot;
-  const double* ex;
-  const double* ey;
-  const double* stiffness;
-  const Index* strength;
-  const std::uint8_t* uniform;
-  const material::JointConstants<double>* table;
-  const double* factor;
-  bool starts;
-  std::array<const double*, 2> opening_start, slip_start;
-  std::array<double*, 2> opening_peak, slip_peak, damage;
-  std::uint8_t* condition;
-  double* force;
+  const double* ux_;
+  const double* uy_;
+  const Index* slot_;
+  const double* ex_;
+  const double* ey_;
+  const double* stiffness_;
+  const Index* strength_;
+  const std::uint8_t* uniform_;
+  const material::JointConstants<double>* table_;
+  const double* factor_;
+  bool starts_;
+  std::array<const double*, 2> opening_start_, slip_start_;
+  std::array<double*, 2> opening_peak_, slip_peak_, damage_;
+  std::uint8_t* condition_;
+  double* force_;
 };
 
 }  // namespace percolith::mechanics

@@ -3,14 +3,15 @@
 
 namespace percolith::mechanics {
 
-JointPoints joint_openings(const Model& model, Index j) {
+JointPoints joint_openings(const Model& model, Index j, double back) {
   const mesh::Joint& joint = model.mesh.joint[at(j)];
   const Joints& joints = model.joints;
   std::array<std::array<Point, 2>, 2> u;
   for (std::size_t side = 0; side < 2; ++side) {
     for (std::size_t end = 0; end < 2; ++end) {
       const auto c = at(joint.corner[side][end]);
-      u[side][end] = {model.motion.ux[c], model.motion.uy[c]};
+      u[side][end] = {model.motion.ux[c] - back * model.motion.vx[c],
+                      model.motion.uy[c] - back * model.motion.vy[c]};
     }
   }
   JointPoints points{joint_place(Point{joints.ex[at(j)], joints.ey[at(j)]}, u)};
@@ -26,9 +27,9 @@ JointPoints joint_openings(const Model& model, Index j) {
   return points;
 }
 
-JointPoints joint_points(const Model& model, const JointTable& table, Index j) {
+JointPoints joint_points(const Model& model, const JointTable& table, Index j, double back) {
   const Joints& joints = model.joints;
-  JointPoints points = joint_openings(model, j);
+  JointPoints points = joint_openings(model, j, back);
   material::JointConstants<double> c = table[at(joints.strength[at(j)])];
   c.stiffness = joints.stiffness[at(j)];
   if (!joints.factor.empty()) {

@@ -14,9 +14,11 @@ struct JointPoints {
 };
 
 /// Opening and slip of any joint, and the traction of its bond with the memory as it stands.
-[[nodiscard]] JointPoints joint_points(const Model& model, const JointTable& table, Index joint);
+/// `back` (s): where the corners were so long ago, at their present velocities.
+[[nodiscard]] JointPoints joint_points(const Model& model, const JointTable& table, Index joint,
+                                       double back = 0.0);
 
 /// Opening and slip alone.
-[[nodiscard]] JointPoints joint_openings(const Model& model, Index joint);
+[[nodiscard]] JointPoints joint_openings(const Model& model, Index joint, double back = 0.0);
 
 }  // namespace percolith::mechanics

@@ -85,7 +85,9 @@ struct ClosedJoint {
   std::array<double, 2> shear{};  ///< traction along the joint in the last step, Pa, [point]
   std::array<double, 2> slip{};   ///< in the last step, m, [point]
   std::array<double, 2> slip_at_start{};  ///< m, [point]
+  double loss = 0.0;                      ///< spent by friction in the last step, J/m
 };
+
 /// Displacement and velocity.
 struct Motion {
   double time = 0.0;           ///< s

@@ -4,8 +4,8 @@
 namespace percolith::mechanics {
 
 MotionLaw motion_law(const Model& model, double dt) {
-  const double before = model.motion.last_step;
-  return {model.damping.nodal_viscosity, model.damping.local, dt, before, 0.5 * (before + dt)};
+  return {model.damping.nodal_viscosity, model.damping.local, dt,
+          0.5 * (model.motion.last_step + dt)};
 }
 
 Move::Move(Model& model, const ContactForces& contact, double dt)

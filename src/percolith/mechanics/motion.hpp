@@ -7,7 +7,7 @@ namespace percolith::mechanics {
 
 /// What the motion of a step adds up, in the order of `LaneSums`.
 enum class Term : std::size_t {
-  kinetic,     ///< 1/2 m v- . v+, J/m
+  kinetic,     ///< 1/2 m v^2 in the middle of the step, J/m
   internal,    ///< works over the step, J/m: of the stress
   viscous,     ///< of the viscous part of the stress
   joint,       ///< of the joints
@@ -34,7 +34,6 @@ struct MotionLaw {
   double damping_nodal = 0.0;  ///< mu of (2), kg/(m s)
   double damping_local = 0.0;
   double dt = 0.0;           ///< s
-  double dt_before = 0.0;    ///< s; 0 at the start
   double dt_velocity = 0.0;  ///< s: from the middle of the last step to the middle of this
 
   /// Force of the damping on a corner: local, against its velocity, a share of the unbalanced
@@ -57,11 +56,11 @@ struct MotionLaw {
     return (Real(1.0) / (Real(1.0) + Real(damping_nodal) * kick)) * free;
   }
 
-  /// Path (m) over which the force of this moment works: half of the last step and half of the
-  /// next. Works by this path change 1/2 m v- . v+ exactly.
+  /// Path (m) over which the force of this moment works, from the middle of the last step to the
+  /// middle of the next. Works by this path change 1/2 m v^2 exactly.
   template <class Real>
   PERCOLITH_DEVICE Vec2<Real> path(Vec2<Real> before, Vec2<Real> after) const {
-    return Real(0.5 * dt_before) * before + Real(0.5 * dt) * after;
+    return Real(0.5 * dt_velocity) * (before + after);
   }
 };
 
@@ -145,7 +144,8 @@ struct Move {
     };
     const Real mass = select(w > Real(0.0), Real(1.0) / w, Real(0.0));
     add(Term::kinetic,
-        Real(0.5) * mass * ((dot(v[0], fast[0]) + dot(v[1], fast[1])) + dot(v[2], fast[2])));
+        Real(0.5) * mass *
+            ((dot(fast[0], fast[0]) + dot(fast[1], fast[1])) + dot(fast[2], fast[2])));
     add(Term::internal, work(f.stress));
     add(Term::joint, work(f.joint));
     if (solid.is_viscous()) {
@@ -161,7 +161,9 @@ struct Move {
       add(Term::gravity, f.gravity * ((path[0].y + path[1].y) + path[2].y));
     }
     const auto size = [](const Vec2<Real>& a) { return magnitude(a.x) + magnitude(a.y); };
-    add(Term::stressing, (size(f.stress[0]) + size(f.stress[1])) + size(f.stress[2]));
+    add(Term::stressing,
+        select(w > Real(0.0), (size(f.stress[0]) + size(f.stress[1])) + size(f.stress[2]),
+               Real(0.0)));
     const Real fastest =
         larger(larger(dot(fast[0], fast[0]), dot(fast[1], fast[1])), dot(fast[2], fast[2]));
     sums.raise(lane, fastest);
@@ -184,8 +186,9 @@ struct Move {
     }
     const Vec2<Real> free = law.new_velocity(v, total + drag, w);
     const Vec2<Real> result = held ? hold<Lane>(record, slot, free, v, w, lane, sums) : free;
+    // What was taken out has no mass and counts no more, though its stress still stands there.
     sums.add(static_cast<std::size_t>(Term::unbalanced), lane,
-             magnitude(unbalanced.x) + magnitude(unbalanced.y));
+             select(w > Real(0.0), magnitude(unbalanced.x) + magnitude(unbalanced.y), Real(0.0)));
     if (law.damping_local != 0.0 || law.damping_nodal != 0.0) {
       if (law.damping_nodal != 0.0) {
         drag = drag - Real(law.damping_nodal) * result;

@@ -11,11 +11,12 @@ const double* view(const std::vector<double>& values) {
 }  // namespace
 
 SolidForces::SolidForces(const Model& model)
-    : ax(model.triangles.ax.data()), ay(model.triangles.ay.data()), bx(model.triangles.bx.data()),
-      by(model.triangles.by.data()), initial_xx(view(model.triangles.initial_xx)),
-      initial_yy(view(model.triangles.initial_yy)), initial_xy(view(model.triangles.initial_xy)),
-      viscosity(view(model.triangles.viscosity)), material_of(model.triangles.material.data()),
-      uniform(model.triangles.uniform.data()), material(model.material.data()),
-      edge_joint(model.triangles.edge_joint.data()), force(model.joints.force.data()) {}
+    : ax_(model.triangles.ax.data()), ay_(model.triangles.ay.data()),
+      bx_(model.triangles.bx.data()), by_(model.triangles.by.data()),
+      initial_xx_(view(model.triangles.initial_xx)), initial_yy_(view(model.triangles.initial_yy)),
+      initial_xy_(view(model.triangles.initial_xy)), viscosity_(view(model.triangles.viscosity)),
+      material_of_(model.triangles.material.data()), uniform_(model.triangles.uniform.data()),
+      material_(model.material.data()), edge_joint_(model.triangles.edge_joint.data()),
+      force_(model.joints.force.data()) {}
 
 }  // namespace percolith::mechanics

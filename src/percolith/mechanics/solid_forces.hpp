@@ -36,7 +36,7 @@ PERCOLITH_DEVICE void store_corners(const CornerVectors<typename Lane::Real>& v,
 /// forces of its corners.
 struct SolidForces {
   explicit SolidForces(const Model& model);
-  [[nodiscard]] PERCOLITH_DEVICE bool is_viscous() const { return viscosity != nullptr; }
+  [[nodiscard]] PERCOLITH_DEVICE bool is_viscous() const { return viscosity_ != nullptr; }
 
   /// Forces of the stress, viscous stress included; `viscous` gets the forces of the viscous part
   /// and is left alone where nothing is viscous.
@@ -48,19 +48,19 @@ struct SolidForces {
     using Real = typename Lane::Real;
     // Padding has edges too, so that its area is not zero.
     const TriangleShape<Real> shape =
-        triangle_shape(Vec2<Real>{Lane::load(ax + t), Lane::load(ay + t)},
-                       Vec2<Real>{Lane::load(bx + t), Lane::load(by + t)});
+        triangle_shape(Vec2<Real>{Lane::load(ax_ + t), Lane::load(ay_ + t)},
+                       Vec2<Real>{Lane::load(bx_ + t), Lane::load(by_ + t)});
     const Gradient<Real> h = gradient_of(shape, u[1] - u[0], u[2] - u[0]);
     SymmetricTensor2<Real> stress = material::stress_of(stiffness<Lane>(t), green_strain(h));
-    if (initial_xx != nullptr) {
-      stress.xx += Lane::load(initial_xx + t);
-      stress.yy += Lane::load(initial_yy + t);
-      stress.xy += Lane::load(initial_xy + t);
+    if (initial_xx_ != nullptr) {
+      stress.xx += Lane::load(initial_xx_ + t);
+      stress.yy += Lane::load(initial_yy_ + t);
+      stress.xy += Lane::load(initial_xy_ + t);
     }
-    if (viscosity != nullptr) {
+    if (viscosity_ != nullptr) {
       const Gradient<Real> rate = gradient_of(shape, v[1] - v[0], v[2] - v[0]);
       const SymmetricTensor2<Real> d = green_strain_rate(h, rate);
-      const Real twice = Real(2.0) * Lane::load(viscosity + t);
+      const Real twice = Real(2.0) * Lane::load(viscosity_ + t);
       const SymmetricTensor2<Real> drag{twice * d.xx, twice * d.yy, twice * d.xy};
       viscous = corner_forces(shape, h, drag);
       stress.xx += drag.xx;
@@ -77,11 +77,11 @@ struct SolidForces {
     std::array<Vec2<Real>, 3> start;
     std::array<Vec2<Real>, 3> end;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Index* code = edge_joint + first + static_cast<Index>(k) * block_width;
-      start[k] = {Lane::gather_signed(force, code, 0, other_end),
-                  Lane::gather_signed(force + block_width, code, 0, other_end)};
-      end[k] = {Lane::gather_signed(force, code, other_end, other_end),
-                Lane::gather_signed(force + block_width, code, other_end, other_end)};
+      const Index* code = edge_joint_ + first + static_cast<Index>(k) * block_width;
+      start[k] = {Lane::gather_signed(force_, code, 0, other_end),
+                  Lane::gather_signed(force_ + block_width, code, 0, other_end)};
+      end[k] = {Lane::gather_signed(force_, code, other_end, other_end),
+                Lane::gather_signed(force_ + block_width, code, other_end, other_end)};
     }
     return {start[0] + end[2], start[1] + end[0], start[2] + end[1]};
   }
@@ -90,33 +90,33 @@ private:
   template <class Lane>
   PERCOLITH_DEVICE material::PlaneStiffness<typename Lane::Real> stiffness(Index t) const {
     using Real = typename Lane::Real;
-    if (uniform[t / block_width] != 0) {
-      const material::PlaneStiffness<double>& d = material[material_of[t]].stiffness;
+    if (uniform_[t / block_width] != 0) {
+      const material::PlaneStiffness<double>& d = material_[material_of_[t]].stiffness;
       return {Real(d.xx_xx), Real(d.xx_yy), Real(d.yy_yy),
               Real(d.xx_xy), Real(d.yy_xy), Real(d.xy_xy)};
     }
     using Stiffness = material::PlaneStiffness<double>;
     const auto pick = [&](double Stiffness::*member) {
       return Lane::generate(
-          [&](Index i) { return material[material_of[t + i]].stiffness.*member; });
+          [&](Index i) { return material_[material_of_[t + i]].stiffness.*member; });
     };
     return {pick(&Stiffness::xx_xx), pick(&Stiffness::xx_yy), pick(&Stiffness::yy_yy),
             pick(&Stiffness::xx_xy), pick(&Stiffness::yy_xy), pick(&Stiffness::xy_xy)};
   }
 
-  const double* ax;
-  const double* ay;
-  const double* bx;
-  const double* by;
-  const double* initial_xx;
-  const double* initial_yy;
-  const double* initial_xy;
-  const double* viscosity;
-  const Index* material_of;
-  const std::uint8_t* uniform;
-  const SolidMaterial* material;
-  const Index* edge_joint;
-  const double* force;
+  const double* ax_;
+  const double* ay_;
+  const double* bx_;
+  const double* by_;
+  const double* initial_xx_;
+  const double* initial_yy_;
+  const double* initial_xy_;
+  const double* viscosity_;
+  const Index* material_of_;
+  const std::uint8_t* uniform_;
+  const SolidMaterial* material_;
+  const Index* edge_joint_;
+  const double* force_;
 };
 
 }  // namespace percolith::mechanics

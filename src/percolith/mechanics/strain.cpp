@@ -5,14 +5,15 @@
 
 namespace percolith::mechanics {
 
-TriangleStrain triangle_strain(const Model& model, Index t) {
+TriangleStrain triangle_strain(const Model& model, Index t, double back) {
   const Triangles& tri = model.triangles;
   const auto shape =
       triangle_shape(Point{tri.ax[at(t)], tri.ay[at(t)]}, Point{tri.bx[at(t)], tri.by[at(t)]});
   std::array<Point, 3> u;
   for (Index k = 0; k < 3; ++k) {
     const auto c = at(mesh::corner_of(t, k));
-    u[at(k)] = {model.motion.ux[c], model.motion.uy[c]};
+    u[at(k)] = {model.motion.ux[c] - back * model.motion.vx[c],
+                model.motion.uy[c] - back * model.motion.vy[c]};
   }
   const Gradient<double> h = gradient_of(shape, u[1] - u[0], u[2] - u[0]);
   return {h, green_strain(h)};

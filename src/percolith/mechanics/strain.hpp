@@ -11,7 +11,8 @@ struct TriangleStrain {
   Gradient<double> gradient;  ///< H
   Tensor strain;              ///< Green strain
 };
-[[nodiscard]] TriangleStrain triangle_strain(const Model& model, Index triangle);
+/// `back` (s): where the corners were so long ago, at their present velocities.
+[[nodiscard]] TriangleStrain triangle_strain(const Model& model, Index triangle, double back = 0.0);
 
 /// Stress of a triangle without its viscous part: Cauchy stress in the plane, and across it, Pa.
 struct TriangleStress {

@@ -111,8 +111,11 @@ void SupportSet::add_corner(Model& model, std::span<const Held> held) {
     }
   }
   Entry entry;
-  const auto table = std::find(tables_.begin(), tables_.end(), motions_[at(kept[0].motion)].name);
-  entry.table = static_cast<Index>(table - tables_.begin());
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const auto table = std::find(tables_.begin(), tables_.end(), motions_[at(kept[i].motion)].name);
+    entry.table[i] = static_cast<Index>(table - tables_.begin());
+    entry.direction[i] = kept[i].direction;
+  }
   const Point d0 = kept[0].direction;
   Tensor free{1.0 - d0.x * d0.x, 1.0 - d0.y * d0.y, -d0.x * d0.y};
   entry.motion[0] = kept[0].motion;
@@ -168,9 +171,17 @@ double SupportSet::next_break(double t) const {
 std::vector<Point> SupportSet::reactions(const Model& model) const {
   std::vector<Point> sum(tables_.size());
   for (const Entry& entry : entries_) {
-    Point& total = sum[at(entry.table)];
-    total =
-        total + Point{model.constraints.rx[at(entry.place)], model.constraints.ry[at(entry.place)]};
+    const Point force{model.constraints.rx[at(entry.place)], model.constraints.ry[at(entry.place)]};
+    if (entry.table[1] == mesh::none || entry.table[1] == entry.table[0]) {
+      sum[at(entry.table[0])] = sum[at(entry.table[0])] + force;
+      continue;
+    }
+    const auto& [first, second] = entry.direction;
+    const double scale = 1.0 / cross(first, second);
+    Point& one = sum[at(entry.table[0])];
+    Point& two = sum[at(entry.table[1])];
+    one = one + scale * cross(force, second) * first;
+    two = two + scale * cross(first, force) * second;
   }
   return sum;
 }
@@ -179,9 +190,13 @@ std::vector<Point> SupportSet::displacements(const Model& model) const {
   std::vector<Point> sum(tables_.size());
   std::vector<double> count(tables_.size(), 0.0);
   for (const Entry& entry : entries_) {
-    Point& total = sum[at(entry.table)];
-    total = total + Point{model.motion.ux[at(entry.corner)], model.motion.uy[at(entry.corner)]};
-    count[at(entry.table)] += 1.0;
+    const Point u{model.motion.ux[at(entry.corner)], model.motion.uy[at(entry.corner)]};
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (entry.table[i] != mesh::none && (i == 0 || entry.table[1] != entry.table[0])) {
+        sum[at(entry.table[i])] = sum[at(entry.table[i])] + u;
+        count[at(entry.table[i])] += 1.0;
+      }
+    }
   }
   for (std::size_t i = 0; i < sum.size(); ++i) {
     sum[i] = count[i] > 0.0 ? (1.0 / count[i]) * sum[i] : Point{};

@@ -40,7 +40,8 @@ public:
 
   [[nodiscard]] const std::vector<PrescribedMotion>& motions() const { return motions_; }
   /// Sum of the forces (N/m) with which each table's supports acted on the rock in the last step,
-  /// by the order of `tables()`. A corner held by two tables counts for the one that came first.
+  /// by the order of `tables()`. Where two tables hold a corner along two directions, the force
+  /// along each counts for its own.
   [[nodiscard]] std::vector<Point> reactions(const Model& model) const;
   /// Mean displacement (m) of the corners of each table.
   [[nodiscard]] std::vector<Point> displacements(const Model& model) const;
@@ -51,8 +52,9 @@ private:
   struct Entry {
     Index corner = 0;
     Index place = 0;
-    Index table = 0;
+    std::array<Index, 2> table{mesh::none, mesh::none};
     std::array<Index, 2> motion{mesh::none, mesh::none};
+    std::array<Point, 2> direction{};
     std::array<Point, 2> along{};  // velocity of the corner per prescribed velocity
   };
   void add_corner(Model& model, std::span<const Held> held);

@@ -100,6 +100,15 @@ struct BreakEvent {
   std::string material;    ///< material or fracture table whose strengths the joint had
 };
 
+/// A part of the rock that hangs together through bonded joints.
+struct FragmentRow {
+  std::int32_t number = 0;  ///< as in the field `fragment`
+  std::int64_t triangles = 0;
+  double area = 0.0;  ///< m2, undeformed
+  Point centre;       ///< m, of its area, where it is now
+  Point velocity;     ///< m/s, mean over its mass
+};
+
 /// A named number of a history row; the unit is part of the name.
 using NamedValue = std::pair<std::string, double>;
 
@@ -156,6 +165,8 @@ public:
   virtual void on_probes(double /*time*/, const std::vector<ProbeSample>&) {}
   /// Joints that broke since the last call, in the order of time.
   virtual void on_events(const std::vector<BreakEvent>&) {}
+  /// All fragments of a rock that may break, at the times of the frames.
+  virtual void on_fragments(double /*time*/, const std::vector<FragmentRow>&) {}
   virtual void on_warning(const std::string&) {}
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/simulation/solid_boundaries.hpp"
 #include "percolith/simulation/solid_run.hpp"
 
 #include <fmt/format.h>
@@ -35,20 +36,47 @@ void add_energies(const mechanics::EnergyBalance& b, std::vector<NamedValue>& va
                                {"residual_J_per_m", b.residual}});
 }
 
-void add_supports(const mechanics::Dynamics& dynamics, std::vector<NamedValue>& values) {
-  const mechanics::SupportSet& supports = dynamics.supports();
-  const auto reaction = supports.reactions(dynamics.model());
-  const auto displacement = supports.displacements(dynamics.model());
-  for (std::size_t i = 0; i < supports.tables().size(); ++i) {
-    const std::string& name = supports.tables()[i];
-    values.insert(values.end(), {{name + ".reaction_x_N_per_m", reaction[i].x},
-                                 {name + ".reaction_y_N_per_m", reaction[i].y},
-                                 {name + ".displacement_x_m", displacement[i].x},
-                                 {name + ".displacement_y_m", displacement[i].y}});
+void add_boundaries(const SolidRun& run, std::vector<NamedValue>& values) {
+  for (const BoundaryState& state : boundary_states(run.setup, run.dynamics)) {
+    values.insert(values.end(), {{state.name + ".reaction_x_N_per_m", state.force.x},
+                                 {state.name + ".reaction_y_N_per_m", state.force.y},
+                                 {state.name + ".displacement_x_m", state.displacement.x},
+                                 {state.name + ".displacement_y_m", state.displacement.y}});
   }
 }
 
 }  // namespace
+
+std::vector<FragmentRow> fragment_rows(const SolidRun& run) {
+  const mechanics::Model& model = run.dynamics.model();
+  const mechanics::Motion& m = model.motion;
+  std::vector<FragmentRow> rows(run.fragments.area.size());
+  std::vector<double> mass(rows.size(), 0.0);
+  for (Index t = 0; t < model.mesh.triangles(); ++t) {
+    const Index number = run.fragments.number[at(t)];
+    if (number == mesh::none) {
+      continue;
+    }
+    FragmentRow& row = rows[at(number)];
+    row.number = number;
+    ++row.triangles;
+    const double area = model.mesh.area(t);
+    const double weight = 1.0 / model.triangles.inverse_mass[at(t)];
+    row.area += area;
+    mass[at(number)] += 3.0 * weight;
+    for (Index k = 0; k < 3; ++k) {
+      const Index c = mesh::corner_of(t, k);
+      row.centre =
+          row.centre + area / 3.0 * (model.mesh.place_of(c) + Point{m.ux[at(c)], m.uy[at(c)]});
+      row.velocity = row.velocity + weight * Point{m.vx[at(c)], m.vy[at(c)]};
+    }
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].centre = (1.0 / rows[i].area) * rows[i].centre;
+    rows[i].velocity = (1.0 / mass[i]) * rows[i].velocity;
+  }
+  return rows;
+}
 
 HistoryRow solid_history_row(SolidRun& run, double step_size) {
   if (run.fragments_stale) {
@@ -65,7 +93,7 @@ HistoryRow solid_history_row(SolidRun& run, double step_size) {
                        {{"broken_joints", static_cast<double>(run.broken.count)},
                         {"fragments", static_cast<double>(run.fragments.area.size())},
                         {"unbalanced_ratio", run.dynamics.unbalanced_ratio()}});
-  add_supports(run.dynamics, row.mechanics);
+  add_boundaries(run, row.mechanics);
   return row;
 }
 

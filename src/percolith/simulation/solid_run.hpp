@@ -43,6 +43,9 @@ struct SolidRun {
 [[nodiscard]] CrackFrame solid_crack_frame(const SolidRun& run);
 [[nodiscard]] std::vector<ProbeSample> read_solid_probes(const SolidRun& run);
 
+/// The fragments as they are now.
+[[nodiscard]] std::vector<FragmentRow> fragment_rows(const SolidRun& run);
+
 /// Energies, reactions and counts of the present state.
 [[nodiscard]] HistoryRow solid_history_row(SolidRun& run, double step_size);
 /// What the run came to.

@@ -182,6 +182,7 @@ void SolidTask::report_frame(Observer& observer) {
     observer.on_frame(
         {time(), run_.summary.steps, solid_matrix_frame(run_), solid_crack_frame(run_)});
   }
+  observer.on_fragments(time(), fragment_rows(run_));
   observer.on_probes(time(), read_solid_probes(run_));
   run_.execution.book("output", start);
 }

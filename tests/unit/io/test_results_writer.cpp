@@ -73,6 +73,20 @@ TEST(ResultsWriter, AppendsEventsAsTheyCome) {
             header + "0.5,0,0,0,tensile,0,0,0,rock\n0.75,0,0,0,tensile,0,0,0,rock\n");
 }
 
+TEST(ResultsWriter, AppendsTheFragmentsOfEveryFrame) {
+  const test::TemporaryFolder folder;
+  ResultsWriter writer(folder.path(), false);
+  EXPECT_FALSE(exists(folder / "fragments.csv"));
+  writer.on_fragments(0.0, {{0, 8, 2.0, {0.5, 1.0}, {0.0, 0.0}}});
+  writer.on_fragments(
+      1.5, {{0, 5, 1.25, {0.25, 1.0}, {-1.0, 0.0}}, {1, 3, 0.75, {1.0, 0.5}, {2.0, -4.0}}});
+  EXPECT_EQ(test::read_text(folder / "fragments.csv"),
+            "time_s,fragment,triangles,area_m2,x_m,y_m,velocity_x_m_per_s,velocity_y_m_per_s\n"
+            "0,0,8,2,0.5,1,0,0\n"
+            "1.5,0,5,1.25,0.25,1,-1,0\n"
+            "1.5,1,3,0.75,1,0.5,2,-4\n");
+}
+
 TEST(ResultsWriter, LeavesWholeLinesOfEventsWhereTheDiskFillsUp) {
   const test::TemporaryFolder folder;
   ResultsWriter writer(folder.path(), false);

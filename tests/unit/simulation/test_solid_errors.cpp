@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "unit/support/solid_setup.hpp"
+
+namespace percolith::simulation {
+namespace {
+
+TEST(SolidErrors, AnUnstableStepIsRefusedWithTheLimit) {
+  simulation::Setup setup = test::solid_setup();
+  setup.time.step = 1.0;
+  test::expect_refused(setup, "time.step", "unstable: longer than the stable step of");
+  test::expect_refused(setup, "time.step", "or leave it out");
+}
+
+TEST(SolidErrors, UnknownGroupsAreNamed) {
+  simulation::Setup setup = test::solid_setup();
+  setup.boundary["side"] = test::on("lefft");
+  setup.boundary["side"].fixed = true;
+  test::expect_refused(setup, "boundary.side.groups[0]", "lefft");
+  setup = test::solid_setup();
+  setup.body["block"].regions = {"rok"};
+  test::expect_refused(setup, "body.block.regions[0]", "rok");
+  setup = test::solid_setup();
+  setup.excavation["hole"].regions = {"rok"};
+  test::expect_refused(setup, "excavation.hole.regions[0]", "rok");
+  setup = test::solid_setup();
+  setup.fracture["crack"].groups = {"levl"};
+  test::expect_refused(setup, "fracture.crack.groups[0]", "levl");
+}
+
+TEST(SolidErrors, AnEdgeBelongsToOneFracture) {
+  simulation::Setup setup = test::solid_setup();
+  setup.fracture["a"].groups = {"level"};
+  setup.fracture["b"].groups = {"level"};
+  test::expect_refused(setup, "fracture.b.groups", "already belongs to another fracture");
+}
+
+TEST(SolidErrors, BodiesThatOverlapAtTheStartAreRefused) {
+  simulation::Setup setup = test::solid_setup();
+  mesh::GmshMesh file = test::plain_mesh();
+  file.regions.push_back("block");
+  setup.material["sandstone"].regions = {"rock", "block"};
+  const auto first = static_cast<std::int32_t>(file.points.size());
+  const auto place = [&](double x) {
+    mesh::GmshMesh both = file;
+    for (const Point p : {Point{x, 0.4}, Point{x + 0.5, 0.4}, Point{x, 0.6}}) {
+      both.points.push_back(p);
+    }
+    both.triangles.push_back({first, first + 1, first + 2});
+    both.triangle_region.push_back(1);
+    return both;
+  };
+  EXPECT_NO_THROW(Simulation(setup, place(1.0)));
+  test::expect_input_error([&] { Simulation(setup, place(0.9)); }, "mesh.file",
+                           "bodies overlap at the start");
+}
+
+TEST(SolidErrors, APointForceOffTheRockIsRefused) {
+  simulation::Setup setup = test::solid_setup();
+  setup.point_force["load"].point = {3.0, 0.5};
+  setup.point_force["load"].force_y = Schedule::constant(-1.0);
+  test::expect_refused(setup, "point_force.load.point", "no vertex of the mesh is near");
+  setup.point_force["load"].point = {1.0, 0.5};
+  EXPECT_NO_THROW(Simulation(setup, test::plain_mesh()));
+}
+
+TEST(SolidErrors, AProbeOutsideTheRockIsRefused) {
+  simulation::Setup setup = test::solid_setup();
+  setup.probe["far"].point = std::array<double, 2>{5.0, 5.0};
+  EXPECT_THROW(Simulation(setup, test::plain_mesh()), InputError);
+}
+
+TEST(SolidErrors, OverConstrainedPointsAreRefused) {
+  simulation::Setup setup = test::solid_setup();
+  setup.boundary["a"] = test::on("left");
+  setup.boundary["a"].fixed = true;
+  setup.boundary["b"] = test::on("bottom");
+  setup.boundary["b"].velocity_x = Schedule::constant(1.0);
+  try {
+    Simulation(setup, test::plain_mesh());
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("the point at (0, 0) is over-constrained"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(SolidErrors, ACaseInWhichNothingMovesIsWarnedOf) {
+  const CheckReport report = Simulation(test::solid_setup(), test::plain_mesh()).check();
+  ASSERT_FALSE(report.warnings.empty());
+  EXPECT_NE(report.warnings.back().find("nothing will move"), std::string::npos);
+}
+
+TEST(SolidErrors, CoarseElementsAreWarnedOf) {
+  simulation::Setup setup = test::solid_setup();
+  setup.material["sandstone"].strength.mode_1_energy = 1.0;
+  const CheckReport report = Simulation(setup, test::plain_mesh()).check();
+  EXPECT_NE(report.warnings.front().find("do not resolve the cohesive length"), std::string::npos);
+  // E'/f_t^2 for 1 J/m2 over the mean size of the elements.
+  const double size = 2 * std::sqrt(1.0 / 128 / std::sqrt(3.0));
+  EXPECT_NEAR(test::value_of(report.mechanics, "smallest cohesive length over element size"),
+              10e9 / (1 - 0.0625) / 25e12 / size, 1e-6);
+}
+
+}  // namespace
+}  // namespace percolith::simulation

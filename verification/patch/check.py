@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Patch test: uniform stress on irregular triangles; how much joints soften the rock."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import solid
+from program import run_case
+from report import Chapter
+from solid_formulas import lame, plane_modulus
+
+TITLE = "Patch test: uniform stress, and the apparent modulus of rock with joints"
+HERE = Path(__file__).parent
+YOUNG, POISSON = 10e9, 0.25
+# Strains in x and y, so small that the rotation and stretch they cause do not count.
+STRETCH, PRESSED = 1e-10, -0.5e-10
+
+
+def expected_stresses() -> dict[str, tuple[float, float, float]]:
+    """xx, yy, xy of each case."""
+    first, shear = lame(YOUNG, POISSON)
+    volume = first * (STRETCH + PRESSED)
+    return {"stretch": (volume + 2 * shear * STRETCH, volume + 2 * shear * PRESSED, 0.0),
+            "pull": (1.0, -0.2, 0.0),
+            "shear": (0.0, 0.0, shear * STRETCH)}
+
+
+def uniform(chapter: Chapter, work: Path) -> None:
+    for name, expected in expected_stresses().items():
+        run = run_case(HERE / f"{name}.toml", work / name).results
+        cells = run.frame().matrix.cell_data
+        found = np.array([cells[f"stress_{axes}_Pa"] for axes in ("xx", "yy", "xy")])
+        size = max(abs(value) for value in expected)
+        spread = abs(found - found.mean(axis=1, keepdims=True)).max() / size
+        chapter.at_most(f"{name}.uniform", f"{name}: largest difference of the stress from its "
+                        "mean, over the stress", spread, 1e-9)
+        error = abs(found.mean(axis=1) - expected).max() / size
+        chapter.at_most(f"{name}.value", f"{name}: error of the mean stress over the stress", error,
+                        1e-8)
+
+
+def joints(chapter: Chapter, work: Path) -> None:
+    modulus = plane_modulus(YOUNG, POISSON)
+    factors, found = [10, 100, 1000], []
+    for factor in factors:
+        run = run_case(HERE / "joints.toml", work / f"joints_{factor}",
+                       {"material.rock.joint_penalty": factor * YOUNG}).results
+        frame = run.frame()
+        weight = solid.areas(frame)
+        stress = weight @ frame.matrix.cell_data["stress_xx_Pa"] / weight.sum()
+        found.append(stress / STRETCH / modulus)
+        expected = 1 / (1 + 1.73 * modulus / (factor * YOUNG))
+        chapter.at_most(f"joints.{factor}", f"joints of {factor} E: apparent modulus over E', "
+                        f"relative difference from {expected:.4f}", abs(found[-1] / expected - 1),
+                        0.02)
+    figure, axes = plt.subplots(figsize=(6, 4.2), layout="constrained")
+    line = np.geomspace(5, 2000, 100)
+    axes.semilogx(line, 1 / (1 + 1.73 * modulus / (line * YOUNG)), "k", linewidth=1,
+                  label="1/(1 + 1.73 E'/p_f)")
+    axes.semilogx(factors, found, "o", color=plt.cm.viridis(0.3), label="computed")
+    axes.set_xlabel("Joint penalty p_f over E")
+    axes.set_ylabel("Apparent modulus over E'")
+    axes.grid(alpha=0.3, which="both")
+    axes.legend(frameon=False)
+    chapter.add_figure(figure, "Joints soften the rock")
+
+
+def check(chapter: Chapter, work: Path) -> None:
+    uniform(chapter, work)
+    joints(chapter, work)
