@@ -150,7 +150,7 @@ void describe(V& option, simulation::ContactOptions& m) {
                              "as stiff as the joints"});
   option(m.tangential_penalty, Quantity{"tangential_penalty", "Pa/m", positive, Need::optional,
                                         "Stress of friction per slip before the faces slide.",
-                                        "penalty over the size of the elements"});
+                                        "as stiff along the faces as across"});
 }
 
 }  // namespace percolith::case_file

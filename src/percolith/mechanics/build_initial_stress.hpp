@@ -41,6 +41,11 @@ void set_initial_stress(Model& model, const Stress& stress_at) {
       joints.slip_start[g][at(j)] = dot(traction, along) / stiffness;
     }
   }
+  for (ClosedJoint& closed : model.closed) {
+    for (std::size_t g = 0; g < 2; ++g) {
+      closed.slip_at_start[g] = joints.slip_start[g][at(closed.joint)];
+    }
+  }
 }
 
 }  // namespace percolith::mechanics

@@ -12,6 +12,8 @@ namespace {
 
 /// Slip over the length of a joint beyond which its faces are left to contact.
 constexpr double facing_share = 0.1;
+/// The same where in-situ stress presses the faces together.
+constexpr double pressed_share = 1.0;
 /// Opening over the length beyond which its faces have parted: above round-off, far below any
 /// deformation.
 constexpr double parting_share = 1e-9;
@@ -28,6 +30,20 @@ ClosedTraction traction_of(const ClosedJoint& closed, const JointPoints& points,
       material::friction_step(closed.shear[g], closed.stiffness, closed.slip[g] - points.slip[g],
                               -normal * closed.friction);
   return {{normal, friction.force}, friction.loss};
+}
+
+/// Whether the faces have parted, or slid so far that they no longer face each other.
+bool has_ended(const Model& model, const ClosedJoint& closed, const JointPoints& points,
+               double length) {
+  if (std::min(points.opening[0], points.opening[1]) > parting_share * length) {
+    return true;
+  }
+  // In-situ stress presses faces that do not overlap: contact could not carry it on.
+  const bool pressed = !model.joints.opening_start[0].empty() &&
+                       model.joints.opening_start[0][at(closed.joint)] < 0.0;
+  const double slipped = 0.5 * std::abs((points.slip[0] - closed.slip_at_start[0]) +
+                                        (points.slip[1] - closed.slip_at_start[1]));
+  return slipped > (pressed ? pressed_share : facing_share) * length;
 }
 
 struct ClosedForces {
@@ -47,6 +63,7 @@ struct ClosedForces {
       closed.slip[g] = k.slip[g];
     }
     closed.loss = 0.5 * length * spent;
+    closed.ended = has_ended(*model, closed, k, length);
     const auto f = joint_forces(k.place, length, t);
     double* out = model->joints.force.data() + force_slot(closed.joint);
     out[0] = f[0].x;
@@ -80,14 +97,11 @@ void add_closed_joints(Model& model, Execution& execution) {
 std::vector<ClosedJointEnd> ended_closed_joints(const Model& model) {
   std::vector<ClosedJointEnd> ended;
   for (const ClosedJoint& closed : model.closed) {
-    const JointPoints k = joint_openings(model, closed.joint);
-    const double length = model.mesh.joint_length(closed.joint);
-    const double slipped = 0.5 * std::abs((k.slip[0] - closed.slip_at_start[0]) +
-                                          (k.slip[1] - closed.slip_at_start[1]));
-    const bool parted = std::min(k.opening[0], k.opening[1]) > parting_share * length;
-    if (!parted && slipped < facing_share * length) {
+    if (!closed.ended) {
       continue;
     }
+    const JointPoints k = joint_openings(model, closed.joint);
+    const double length = model.mesh.joint_length(closed.joint);
     ClosedJointEnd end{closed.joint, 0.0, {}, stored_in(closed, k, length)};
     for (std::size_t g = 0; g < 2; ++g) {
       const auto t = traction_of(closed, k, g).traction;

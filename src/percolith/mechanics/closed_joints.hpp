@@ -21,8 +21,9 @@ struct ClosedJointEnd {
   double stored = 0.0;        ///< J/m
 };
 
-/// The closed joints whose faces have parted, or slid so far (a tenth of their length) that they no
-/// longer face each other; ascending.
+/// The closed joints that were found in the last `add_closed_joints` to have ended: their faces
+/// have parted, or slid so far (a tenth of their length) that they no longer face each other;
+/// ascending.
 [[nodiscard]] std::vector<ClosedJointEnd> ended_closed_joints(const Model& model);
 
 /// Energy the closed joints would give back, J/m; `back` as in `joint_points`.

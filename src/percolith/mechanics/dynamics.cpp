@@ -4,6 +4,7 @@
 #include "percolith/mechanics/excavation.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace percolith::mechanics {
@@ -63,6 +64,7 @@ Dynamics::Dynamics(Model model, LoadList loads, SupportSet supports, ContactProp
   if (model_.any_tied) {
     buffers_.resize(model_.mesh.corners());
   }
+  model_.loads.resistance = loads_.resistances(model_.mesh);
   model_.energy.kinetic = start_.kinetic;
   start_contact();
 }
@@ -162,7 +164,10 @@ void Dynamics::take_out(std::span<const Index> triangles, double duration) {
 
 double Dynamics::unbalanced_ratio() const {
   const Energies& e = model_.energy;
-  return e.internal > 0.0 ? e.unbalanced / e.internal : 0.0;
+  if (e.internal > 0.0) {
+    return e.unbalanced / e.internal;
+  }
+  return e.unbalanced > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
 }
 
 EnergyBalance Dynamics::energy(const Execution& execution) const {
@@ -186,8 +191,14 @@ void Dynamics::add_to(StateHash& hash) const {
   for (const ClosedJoint& closed : model_.closed) {
     hash.add(closed.shear);
     hash.add(closed.slip);
+    hash.add(closed.slip_at_start);
   }
+  for (const JointState state : model_.joints.state) {
+    hash.add(static_cast<double>(state));
+  }
+  hash.add(model_.triangles.inverse_mass);
   contact_.add_to(hash);
+  hash.add(m.last_step);
   hash.add(m.time);
 }
 

@@ -35,7 +35,13 @@ double stored_in_joints(const Model& model, const JointTable& table, const Execu
     const JointPoints points = joint_points(model, table, j, back);
     double stored = 0.0;
     for (std::size_t g = 0; g < 2; ++g) {
-      stored += material::stored_energy(points.traction[g], points.opening[g], points.slip[g]);
+      const auto& t = points.traction[g];
+      // Past the peak friction follows the compression at the same slip, which no energy of opening
+      // and slip can: of it only the spring counts.
+      const bool slides = model.joints.damage[g][at(j)] > 0.0 && t.normal < 0.0;
+      stored +=
+          slides ? 0.5 * (t.normal * t.normal + t.shear * t.shear) / model.joints.stiffness[at(j)]
+                 : material::stored_energy(t, points.opening[g], points.slip[g]);
     }
     return 0.5 * model.mesh.joint_length(j) * stored;
   });

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <utility>
 
 namespace percolith::mechanics {
@@ -132,6 +134,25 @@ void LoadSet::book_absorbed(Model& model, double dt) const {
     const Point v = velocity(model, list_.dashpot[i].corner);
     model.energy.absorbed += -0.5 * dt * dot(drag_[i], v);
   }
+}
+
+std::vector<double> LoadSet::resistances(const mesh::Mesh& mesh) const {
+  if (list_.dashpot.empty()) {
+    return {};
+  }
+  std::map<Index, Tensor> at_corner;
+  for (const Dashpot& dashpot : list_.dashpot) {
+    Tensor& sum = at_corner[dashpot.corner];
+    sum = {sum.xx + dashpot.resistance.xx, sum.yy + dashpot.resistance.yy,
+           sum.xy + dashpot.resistance.xy};
+  }
+  std::vector<double> largest(at(mesh.triangles()), 0.0);
+  for (const auto& [corner, c] : at_corner) {
+    const double half = 0.5 * (c.xx - c.yy);
+    double& most = largest[at(mesh::triangle_of(corner))];
+    most = std::max(most, 0.5 * (c.xx + c.yy) + std::sqrt(half * half + c.xy * c.xy));
+  }
+  return largest;
 }
 
 double LoadSet::next_break(double t) const {

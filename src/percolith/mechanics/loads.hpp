@@ -76,6 +76,8 @@ public:
   /// The first time after `t` at which a schedule jumps or bends.
   [[nodiscard]] double next_break(double t) const;
   [[nodiscard]] const LoadList& list() const { return list_; }
+  /// Largest resistance (kg/(m s)) of the dashpots at a corner of each triangle; empty without any.
+  [[nodiscard]] std::vector<double> resistances(const mesh::Mesh& mesh) const;
 
 private:
   void add_edges(Model& model) const;

@@ -86,6 +86,7 @@ struct ClosedJoint {
   std::array<double, 2> slip{};   ///< in the last step, m, [point]
   std::array<double, 2> slip_at_start{};  ///< m, [point]
   double loss = 0.0;                      ///< spent by friction in the last step, J/m
+  bool ended = false;                     ///< its faces have parted or slid too far
 };
 
 /// Displacement and velocity.
@@ -109,6 +110,8 @@ struct Constraints {
 struct Loads {
   std::vector<double> fx, fy;      ///< N/m
   std::vector<std::uint8_t> acts;  ///< per block of triangles
+  /// Per triangle: resistance of the dashpots at its worst corner, kg/(m s); empty without.
+  std::vector<double> resistance{};
 };
 
 /// Works and energies since time zero, J/m.

@@ -94,6 +94,22 @@ double penalty_of(std::span<const double> penalty, Index t) {
   return penalty.empty() ? 0.0 : penalty[at(t)];
 }
 
+/// Whether nothing but its supports moves a triangle, as that of a platen.
+bool is_held(const Model& model, Index t) {
+  const Index record = model.constraints.record[at(t / block_width)];
+  if (record == mesh::none) {
+    return false;
+  }
+  for (Index k = 0; k < 3; ++k) {
+    const auto place =
+        at(record * mesh::corners_per_block + mesh::corner_of(t, k) % mesh::corners_per_block);
+    if (model.constraints.pxx[place] != 0.0 || model.constraints.pyy[place] != 0.0) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// Contact takes the place of joints: the stiffer of the two counts.
 double together(const Frequencies& f) {
   return f.triangle + std::max(f.joints, f.contact);
@@ -119,6 +135,9 @@ Frequencies frequencies(const Model& model, Index t, double contact_penalty) {
     f.viscous =
         triangle_stiffness(p, {{{2.0 * mu, 0, 0}, {0, 2.0 * mu, 0}, {0, 0, mu}}}) * inverse_mass;
   }
+  if (!model.loads.resistance.empty()) {
+    f.absorbing = model.loads.resistance[at(t)] * inverse_mass;
+  }
   return f;
 }
 
@@ -135,9 +154,10 @@ std::vector<MotionLimit> step_limits(const Model& model, std::span<const double>
   MotionLimit joints{"joints"};
   MotionLimit contact{"contact"};
   MotionLimit viscosity{"viscosity"};
+  MotionLimit absorbing{"absorbing boundary"};
   MotionLimit all{"all together"};
   for (Index t = 0; t < model.mesh.triangles(); ++t) {
-    if (model.triangles.inverse_mass[at(t)] == 0.0) {
+    if (model.triangles.inverse_mass[at(t)] == 0.0 || is_held(model, t)) {
       continue;
     }
     const Frequencies f = frequencies(model, t, penalty_of(contact_penalty, t));
@@ -145,10 +165,11 @@ std::vector<MotionLimit> step_limits(const Model& model, std::span<const double>
     note(joints, stable_step(f.joints, 0.0), t);
     note(contact, stable_step(f.contact, 0.0), t);
     note(viscosity, stable_step(0.0, f.viscous), t);
-    note(all, stable_step(together(f), f.viscous), t);
+    note(absorbing, stable_step(0.0, f.absorbing), t);
+    note(all, stable_step(together(f), f.viscous + f.absorbing), t);
   }
   std::vector<MotionLimit> limits;
-  for (MotionLimit* limit : {&triangles, &joints, &contact, &viscosity}) {
+  for (MotionLimit* limit : {&triangles, &joints, &contact, &viscosity, &absorbing}) {
     if (limit->triangle != mesh::none) {
       limits.push_back(*limit);
     }

@@ -16,11 +16,13 @@ struct Frequencies {
   double joints = 0.0;
   double contact = 0.0;
   double viscous = 0.0;
+  double absorbing = 0.0;  ///< rate of decay by dashpots, 1/s
 };
 
 /// The largest stable step one mechanism allows, and where.
 struct MotionLimit {
-  std::string mechanism;  ///< "triangles", "joints", "contact", "viscosity", "all together"
+  std::string mechanism;  ///< "triangles", "joints", "contact", "viscosity", "absorbing boundary",
+                          ///< "all together"
   double step = std::numeric_limits<double>::infinity();  ///< s
   Index triangle = mesh::none;
 };

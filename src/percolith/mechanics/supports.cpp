@@ -168,6 +168,12 @@ double SupportSet::next_break(double t) const {
   return next;
 }
 
+bool SupportSet::moves(double t) const {
+  return std::any_of(motions_.begin(), motions_.end(), [&](const PrescribedMotion& m) {
+    return m.kind == PrescribedMotion::Kind::velocity && m.value.at(t) != 0.0;
+  });
+}
+
 std::vector<Point> SupportSet::reactions(const Model& model) const {
   std::vector<Point> sum(tables_.size());
   for (const Entry& entry : entries_) {

@@ -37,6 +37,8 @@ public:
   /// Sets the prescribed velocities for a step of `dt` (s) from the model's present time.
   void apply(Model& model, double dt) const;
   [[nodiscard]] double next_break(double t) const;
+  /// Whether anything is moved by a velocity that is not zero at time `t` (s).
+  [[nodiscard]] bool moves(double t) const;
 
   [[nodiscard]] const std::vector<PrescribedMotion>& motions() const { return motions_; }
   /// Sum of the forces (N/m) with which each table's supports acted on the rock in the last step,

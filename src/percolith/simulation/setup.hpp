@@ -146,7 +146,7 @@ struct Damping {
 struct ContactOptions {
   /// p_n, Pa: of the overlap potential; absent: as stiff as the joints.
   std::optional<double> penalty;
-  std::optional<double> tangential_penalty;  ///< p_t, Pa/m; absent: p_n/h
+  std::optional<double> tangential_penalty;  ///< p_t, Pa/m; absent: as stiff as across
   friend bool operator==(const ContactOptions&, const ContactOptions&) = default;
 };
 

@@ -61,6 +61,24 @@ void refuse_overlap(const mechanics::Dynamics& dynamics) {
        "bodies that touch or lie apart"});
 }
 
+/// Triangles along a fracture slide with its friction, of several with the smallest.
+void set_friction_of_fractures(const mechanics::Model& model, std::size_t materials,
+                               std::vector<double>& friction) {
+  std::vector<std::uint8_t> set(friction.size(), 0);
+  for (Index j = 0; j < model.mesh.joints(); ++j) {
+    const auto kind = at(model.joints.strength[at(j)]);
+    if (kind < materials) {
+      continue;
+    }
+    const double own = model.kind[kind].residual_friction;
+    for (const auto& side : model.mesh.joint[at(j)].corner) {
+      const auto t = at(mesh::triangle_of(side[0]));
+      friction[t] = set[t] != 0 ? std::min(friction[t], own) : own;
+      set[t] = 1;
+    }
+  }
+}
+
 }  // namespace
 
 mechanics::ContactProperties contact_properties(const Setup& setup, const mechanics::Model& model) {
@@ -83,6 +101,7 @@ mechanics::ContactProperties contact_properties(const Setup& setup, const mechan
         setup.contact.tangential_penalty.value_or(6.0 * penalty / height));
     result.friction.push_back(model.kind[at(number)].residual_friction);
   }
+  set_friction_of_fractures(model, material.size(), result.friction);
   return result;
 }
 

@@ -63,6 +63,40 @@ double apparent_share(const mechanics::Model& model) {
   return least;
 }
 
+/// Largest share of the length of the bonded joints that runs in the directions of one lattice of
+/// equilateral triangles: |mean of exp(6 i angle)|, near 0 for an irregular mesh, 1 for a lattice.
+double regularity(const mechanics::Model& model) {
+  double along = 0.0;
+  double across = 0.0;
+  double total = 0.0;
+  for (Index j = 0; j < model.mesh.joints(); ++j) {
+    if (model.joints.state[at(j)] == JointState::bonded) {
+      const double length = model.mesh.joint_length(j);
+      const double angle = 6.0 * std::atan2(model.joints.ey[at(j)], model.joints.ex[at(j)]);
+      along += length * std::cos(angle);
+      across += length * std::sin(angle);
+      total += length;
+    }
+  }
+  return total > 0.0 ? std::hypot(along, across) / total : 0.0;
+}
+
+/// Curves inside the rock that no fracture table names.
+std::vector<std::string> curves_without_fracture(const Setup& setup, const mesh::Mesh& mesh) {
+  std::vector<std::string> names;
+  for (const auto& [name, curve] : mesh.curves) {
+    const auto has_name = [&, &curve_name = name](const auto& entry) {
+      const auto& groups = entry.second.groups;
+      return std::find(groups.begin(), groups.end(), curve_name) != groups.end();
+    };
+    if (!curve.joints.empty() &&
+        std::none_of(setup.fracture.begin(), setup.fracture.end(), has_name)) {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
 std::int64_t count_state(const mechanics::Model& model, JointState state) {
   const auto begin = model.joints.state.begin();
   return std::count(begin, begin + model.mesh.joints(), state);
@@ -81,6 +115,19 @@ std::vector<std::string> solid_warnings(const SolidRun& run) {
         "{:.3g} m, a third of which they should not exceed: strength rather than fracture energy "
         "rules there, and results depend on the mesh",
         worst.size, p.x, p.y, worst.length));
+  }
+  constexpr double regular = 0.4;
+  constexpr Index many = 300;
+  if (model.mesh.joints() > many && regularity(model) > regular) {
+    warnings.push_back(
+        "the edges of the mesh run in few directions, as those of a lattice do: cracks "
+        "can only follow them, and strength depends on how they lie to the load. An "
+        "irregular mesh is free of that (Mesh.Algorithm = 5; in the .geo file)");
+  }
+  for (const std::string& name : curves_without_fracture(run.setup, model.mesh)) {
+    warnings.push_back(fmt::format("the physical curve \"{}\" lies inside the rock and no fracture "
+                                   "table names it: the rock is bonded there like elsewhere",
+                                   name));
   }
   if (run.added_mass > 0.1) {
     warnings.push_back(fmt::format("time.mass_scaling_step adds {:.3g} times the mass of the rock: "

@@ -94,9 +94,23 @@ void hold_edges(const mechanics::Model& model, const std::vector<Index>& edges,
   }
 }
 
+/// The rock is undeformed at time zero: a displacement can only grow from there.
+void require_start_at_zero(const std::string& key, const std::optional<Schedule>& displacement) {
+  if (displacement && displacement->at(0.0) != 0.0) {
+    throw InputError({{},
+                      key,
+                      "",
+                      fmt::format("is {:g} m at time 0, where the rock is not deformed yet",
+                                  displacement->at(0.0)),
+                      "a table over time that begins with 0 at time 0"});
+  }
+}
+
 void add_boundary(const mechanics::Model& model, const std::string& name,
                   const BoundaryCondition& b, SupportList& list) {
   const std::string path = "boundary." + name;
+  require_start_at_zero(path + ".displacement_x", b.displacement_x);
+  require_start_at_zero(path + ".displacement_y", b.displacement_y);
   const std::vector<Index> edges = boundary_edges(model.mesh, b.groups, path + ".groups");
   using Kind = PrescribedMotion::Kind;
   const auto along = [&](const std::optional<Schedule>& value, Kind kind, const Point& direction) {

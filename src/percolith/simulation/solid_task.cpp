@@ -167,6 +167,7 @@ double SolidTask::make_step(double event, Observer& observer) {
 
 bool SolidTask::is_at_rest() {
   if (!run_.setup.time.stop_ratio || time() <= quiet_after_ ||
+      run_.dynamics.supports().moves(time()) ||
       run_.dynamics.loads().next_break(time()) < run_.setup.time.end ||
       run_.dynamics.supports().next_break(time()) < run_.setup.time.end) {
     return false;

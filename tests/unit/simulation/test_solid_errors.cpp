@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -94,6 +95,61 @@ TEST(SolidErrors, ACaseInWhichNothingMovesIsWarnedOf) {
   const CheckReport report = Simulation(test::solid_setup(), test::plain_mesh()).check();
   ASSERT_FALSE(report.warnings.empty());
   EXPECT_NE(report.warnings.back().find("nothing will move"), std::string::npos);
+}
+
+bool warns(const CheckReport& report, const std::string& text) {
+  return std::any_of(report.warnings.begin(), report.warnings.end(),
+                     [&](const std::string& w) { return w.find(text) != std::string::npos; });
+}
+
+TEST(SolidErrors, ADisplacementMustBeginWithZero) {
+  simulation::Setup setup = test::solid_setup();
+  setup.boundary["top"] = test::on("top");
+  setup.boundary["top"].displacement_y = Schedule::constant(-1e-3);
+  test::expect_refused(setup, "boundary.top.displacement_y", "is -0.001 m at time 0");
+  setup.boundary["top"].displacement_y = Schedule{{0.0, 1.0}, {0.0, -1e-3}};
+  EXPECT_NO_THROW(Simulation(setup, test::plain_mesh()));
+}
+
+TEST(SolidErrors, CurvesWithoutAFractureAreWarnedOf) {
+  simulation::Setup setup = test::solid_setup();
+  const std::string text = "the physical curve \"level\" lies inside the rock";
+  EXPECT_TRUE(warns(Simulation(setup, test::plain_mesh()).check(), text));
+  setup.fracture["crack"].groups = {"level"};
+  EXPECT_FALSE(warns(Simulation(setup, test::plain_mesh()).check(), text));
+}
+
+/// Rows of equilateral triangles, or the same with their inner points moved.
+mesh::GmshMesh lattice(double jitter) {
+  test::Grid grid{.columns = 16, .rows = 16, .width = 1.0, .height = 0.8660254, .jitter = jitter};
+  mesh::GmshMesh file = test::make_grid(grid);
+  for (Point& p : file.points) {
+    p.x -= p.y / std::sqrt(3.0);
+  }
+  return file;
+}
+
+TEST(SolidErrors, RegularMeshesAreWarnedOf) {
+  const simulation::Setup setup = test::solid_setup();
+  const std::string text = "run in few directions";
+  EXPECT_TRUE(warns(Simulation(setup, lattice(0.0)).check(), text));
+  EXPECT_FALSE(warns(Simulation(setup, lattice(0.4)).check(), text));
+}
+
+TEST(SolidErrors, AbsorbingBoundariesLimitTheStep) {
+  simulation::Setup setup = test::solid_setup();
+  setup.material["sandstone"].joints = RockJoints::elastic;
+  setup.contact.penalty = 1.0;
+  const double free = Simulation(setup, test::plain_mesh()).check().limits.back().step;
+  for (const char* side : {"left", "right", "top", "bottom"}) {
+    setup.boundary[side] = test::on(side);
+    setup.boundary[side].absorbing = true;
+  }
+  const CheckReport report = Simulation(setup, test::plain_mesh()).check();
+  EXPECT_LT(report.limits.back().step, 0.9 * free);
+  EXPECT_TRUE(std::any_of(report.limits.begin(), report.limits.end(), [](const StepLimit& limit) {
+    return limit.mechanism == "absorbing boundary";
+  }));
 }
 
 TEST(SolidErrors, CoarseElementsAreWarnedOf) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/simulation/solid_build.hpp"
 #include "percolith/simulation/solid_run.hpp"
 
 #include <gtest/gtest.h>
@@ -129,6 +130,39 @@ TEST(SolidRuns, StopsAtRest) {
       EXPECT_NEAR(test::cell_values(recorder.frames.back(), "stress_zz_Pa")[0], -0.5e6, 1e3);
     }
   }
+}
+
+TEST(SolidRuns, WhatIsStillMovedIsNotAtRest) {
+  simulation::Setup setup = test::solid_setup();
+  setup.material["sandstone"].joints = RockJoints::elastic;
+  setup.boundary["bottom"] = test::on("bottom");
+  setup.boundary["bottom"].fixed = true;
+  setup.boundary["top"] = test::on("top");
+  setup.boundary["top"].velocity_y = Schedule::constant(-1e-6);
+  setup.damping.local = 0.7;
+  setup.time.end = 0.05;
+  setup.time.stop_ratio = 0.5;
+  test::SolidRecorder recorder;
+  const Summary summary = test::run(setup, test::make_grid(grid), recorder);
+  EXPECT_FALSE(summary.reached_rest);
+  EXPECT_DOUBLE_EQ(summary.end_time, 0.05);
+}
+
+TEST(SolidRuns, ContactAlongAFractureHasItsFriction) {
+  simulation::Setup setup = test::solid_setup();
+  setup.fracture["fault"].groups = {"level"};
+  setup.fracture["fault"].strength.friction_angle = 0.1;
+  const SolidStart start = build_solid(setup, test::plain_mesh());
+  const mechanics::Model& model = start.dynamics.model();
+  const std::vector<double> friction = contact_properties(setup, model).friction;
+  std::vector<double> expected(friction.size(), std::tan(0.6));
+  for (const mechanics::ClosedJoint& closed : model.closed) {
+    for (const auto& side : model.mesh.joint[at(closed.joint)].corner) {
+      expected[at(mesh::triangle_of(side[0]))] = std::tan(0.1);
+    }
+  }
+  EXPECT_FALSE(model.closed.empty());
+  EXPECT_EQ(friction, expected);
 }
 
 TEST(SolidRuns, AnExcavationComesToRest) {
