@@ -156,8 +156,13 @@ std::vector<MotionLimit> step_limits(const Model& model, std::span<const double>
   MotionLimit viscosity{"viscosity"};
   MotionLimit absorbing{"absorbing boundary"};
   MotionLimit all{"all together"};
+  // Where everything is held, the step still has to follow what the supports do to joints.
+  bool any_free = false;
+  for (Index t = 0; t < model.mesh.triangles() && !any_free; ++t) {
+    any_free = model.triangles.inverse_mass[at(t)] > 0.0 && !is_held(model, t);
+  }
   for (Index t = 0; t < model.mesh.triangles(); ++t) {
-    if (model.triangles.inverse_mass[at(t)] == 0.0 || is_held(model, t)) {
+    if (model.triangles.inverse_mass[at(t)] == 0.0 || (any_free && is_held(model, t))) {
       continue;
     }
     const Frequencies f = frequencies(model, t, penalty_of(contact_penalty, t));
