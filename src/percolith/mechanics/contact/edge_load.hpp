@@ -2,6 +2,7 @@
 #pragma once
 
 #include "percolith/core/simd.hpp"
+#include "percolith/mechanics/contact/separation.hpp"
 
 #include <array>
 
@@ -29,15 +30,6 @@ PERCOLITH_DEVICE void steeper_first(Line<Real>& a, Line<Real>& b) {
   const Line<Real> first{select(exchange, b.value, a.value), larger(a.slope, b.slope)};
   b = {select(exchange, a.value, b.value), smaller(a.slope, b.slope)};
   a = first;
-}
-
-/// 1/a, 1/b, 1/c by one division.
-template <class Real>
-PERCOLITH_DEVICE std::array<Real, 3> inverses(Real a, Real b, Real c) {
-  const Real ab = a * b;
-  const Real all = Real(1.0) / (ab * c);
-  const Real rest = c * all;
-  return {rest * b, rest * a, ab * all};
 }
 
 /// A line integrated from t = `from` to `to`: added to the integral and to that of t times it.

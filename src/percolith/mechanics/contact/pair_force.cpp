@@ -149,38 +149,71 @@ PairState<Real> choose(const Mask& condition, const PairState<Real>& yes,
           select(condition, yes.depth, no.depth)};
 }
 
+/// Where the triangles of pairs are, and whether they touch.
+template <class Lane>
+struct Meeting {
+  using Real = typename Lane::Real;
+  using Mask = decltype(Real() > Real());
+  PairPlaces<Real> places;
+  std::array<Real, 2> area;  // twice, m2
+  PairSides<Real> sides;
+  Mask apart, touch;  // neither where a triangle is inverted
+
+  explicit Meeting(const PairLanes<Lane>& lanes)
+      : places(lanes.places()), area{twice_area(places.first), twice_area(places.second)},
+        sides(pair_sides(places)) {
+    const Mask solid = area[0] > Real(0.0) && area[1] > Real(0.0);
+    apart = solid && separated(sides);
+    touch = solid && !apart;
+  }
+
+  /// Way since the search up to which the pairs can rest.
+  [[nodiscard]] Real rest(double travelled) const {
+    const Real zero(0.0);
+    if (!any(apart)) {
+      return zero;
+    }
+    const Real gap = select(apart, gap_between(places, sides), zero);
+    return select(gap > zero, Real(travelled) + Real(gap_share) * gap, zero);
+  }
+};
+
 }  // namespace
+
+template <class Lane>
+void PairForces::look(const Index* pair, Index count, PairPick& pressed) const {
+  using Real = typename Lane::Real;
+  const Meeting<Lane> meeting(PairLanes<Lane>(*this, pair));
+  Lane::scatter(states->rest.data(), pair, meeting.rest(travelled));
+  if (any(meeting.touch)) {
+    std::array<double, Lane::width> touches;
+    Lane::store(touches.data(), select(meeting.touch, Real(1.0), Real(0.0)));
+    for (Index i = 0; i < count; ++i) {
+      pressed.add(pair[at(i)], touches[at(i)] > 0.0);
+    }
+  }
+}
 
 template <class Lane>
 void PairForces::advance(const Index* pair, Index count, Index place) const {
   using Real = typename Lane::Real;
-  const Real zero(0.0);
   const Real one(1.0);
   const PairLanes<Lane> lanes(*this, pair);
-  const PairPlaces<Real> now = lanes.places();
-  const std::array<Real, 2> area{twice_area(now.first), twice_area(now.second)};
-  const auto solid = area[0] > zero && area[1] > zero;
-  const PairSides<Real> sides = pair_sides(now);
-  const auto apart = solid && separated(sides);
-  const auto touch = solid && !apart;
+  const Meeting<Lane> meeting(lanes);
   PairState<Real> state = lanes.load_state();
-  PairState<Real> left = parted(state);
-  Real rest(0.0);
-  if (any(apart)) {
-    const Real gap = select(apart, gap_between(now, sides), zero);
-    rest = select(gap > zero, Real(travelled) + Real(gap_share) * gap, zero);
-  }
-  if (any(touch)) {
-    const std::array<Real, 2> safe{select(touch, area[0], one), select(touch, area[1], one)};
+  const PairState<Real> left = parted(state);
+  if (any(meeting.touch)) {
+    const std::array<Real, 2> area{select(meeting.touch, meeting.area[0], one),
+                                   select(meeting.touch, meeting.area[1], one)};
     const auto& stiffness = lanes.nature().stiffness;
-    const std::array<Real, 2> penalty{lanes.gather(stiffness[0]) / safe[0],
-                                      lanes.gather(stiffness[1]) / safe[1]};
-    store_forces<Lane>(forces->value.data() + force_at(place),
-                       press<Lane>(lanes, overlap_force(now, sides, safe, penalty), state));
+    const std::array<Real, 2> penalty{lanes.gather(stiffness[0]) / area[0],
+                                      lanes.gather(stiffness[1]) / area[1]};
+    const OverlapForces<Real> overlap = overlap_force(meeting.places, meeting.sides, area, penalty);
+    store_forces<Lane>(forces->value.data() + force_at(place), press<Lane>(lanes, overlap, state));
   }
-  lanes.store_state(choose(touch, state, left));
-  Lane::scatter(states->rest.data(), pair, rest);
-  note<Lane>(pair, count, place, select(touch, one, zero));
+  lanes.store_state(choose(meeting.touch, state, left));
+  Lane::scatter(states->rest.data(), pair, meeting.rest(travelled));
+  note<Lane>(pair, count, place, select(meeting.touch, one, Real(0.0)));
 }
 
 /// Notes where the forces are of those pairs whose `touching` is not zero.
@@ -198,6 +231,8 @@ void PairForces::note(const Index* pair, Index count, Index place,
   }
 }
 
+template void PairForces::look<ScalarLane>(const Index*, Index, PairPick&) const;
+template void PairForces::look<VectorLane>(const Index*, Index, PairPick&) const;
 template void PairForces::advance<ScalarLane>(const Index*, Index, Index) const;
 template void PairForces::advance<VectorLane>(const Index*, Index, Index) const;
 

@@ -32,8 +32,25 @@ struct CornerPlaces {
 /// Pairs that are handled together: a multiple of the block width.
 inline constexpr Index pair_chunk = 256;
 
+/// Pairs picked from a chunk.
+struct PairPick {
+  Index count = 0;
+  std::array<Index, pair_chunk + block_width> pair;
+  void add(Index p, bool picked) {
+    pair[at(count)] = p;
+    count += picked ? 1 : 0;
+  }
+  /// What is left of the last register repeats a pair of it, and comes to the same.
+  void fill_up() {
+    if (count > 0) {
+      std::fill_n(pair.begin() + count, block_width, pair[at(count) - 1]);
+    }
+  }
+};
+
 /// Forces and states of the listed pairs after a step of length `dt` (s), (4)-(7). Of each chunk
-/// the pairs that may meet are put side by side, as many as a register holds.
+/// the pairs that may meet are put side by side, as many as a register holds: first those that were
+/// apart, to see whether they are now, then all that touch or touched.
 struct PairForces {
   PairStates* states;
   PairForceBlock* forces;  ///< room for all pairs
@@ -46,20 +63,27 @@ struct PairForces {
 
   template <class Lane>
   void operator()(Lane lane, Index end) const {
-    std::array<Index, pair_chunk + block_width> active;
-    Index count = 0;
+    PairPick awake;
     for (Index p = lane.first; p < end; ++p) {
-      active[at(count)] = p;
-      count += states->rest[at(p)] > travelled ? 0 : 1;
+      awake.add(p, !(states->rest[at(p)] > travelled));
     }
-    if (count == 0) {
-      return;
+    PairPick pressed;
+    PairPick apart;
+    for (Index i = 0; i < awake.count; ++i) {
+      const Index p = awake.pair[at(i)];
+      const bool known = starts || states->force[at(p)] != mesh::none;
+      pressed.add(p, known);
+      apart.add(p, !known);
     }
-    // What is left of the last register repeats a pair of it, and comes to the same.
-    std::fill_n(active.begin() + count, block_width, active[at(count) - 1]);
-    for (Index k = 0; k < count; k += Lane::width) {
-      fetch(active.data() + std::min(k + pairs_ahead, count));
-      advance<Lane>(active.data() + k, std::min(count - k, Lane::width), lane.first + k);
+    apart.fill_up();
+    for (Index k = 0; k < apart.count; k += Lane::width) {
+      look<Lane>(apart.pair.data() + k, std::min(apart.count - k, Lane::width), pressed);
+    }
+    pressed.fill_up();
+    for (Index k = 0; k < pressed.count; k += Lane::width) {
+      fetch(pressed.pair.data() + std::min(k + pairs_ahead, pressed.count));
+      advance<Lane>(pressed.pair.data() + k, std::min(pressed.count - k, Lane::width),
+                    lane.first + k);
     }
   }
 
@@ -74,6 +98,9 @@ private:
       prefetch(&states->state[at(pair[i])].factor);
     }
   }
+  /// Looks whether pairs that were apart touch now, and adds those to `pressed`.
+  template <class Lane>
+  void look(const Index* pair, Index count, PairPick& pressed) const;
   /// Handles the pairs of a lane, of which `count` are different, and puts their forces from
   /// `place` on.
   template <class Lane>
@@ -82,6 +109,8 @@ private:
   void note(const Index* pair, Index count, Index place, typename Lane::Real touching) const;
 };
 
+extern template void PairForces::look<ScalarLane>(const Index*, Index, PairPick&) const;
+extern template void PairForces::look<VectorLane>(const Index*, Index, PairPick&) const;
 extern template void PairForces::advance<ScalarLane>(const Index*, Index, Index) const;
 extern template void PairForces::advance<VectorLane>(const Index*, Index, Index) const;
 

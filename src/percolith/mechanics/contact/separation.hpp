@@ -53,16 +53,30 @@ PERCOLITH_DEVICE auto separated(const PairSides<Real>& sides) {
   return least <= Real(0.0);
 }
 
+/// 1/a, 1/b, 1/c by one division.
+template <class Real>
+PERCOLITH_DEVICE std::array<Real, 3> inverses(Real a, Real b, Real c) {
+  const Real ab = a * b;
+  const Real all = Real(1.0) / (ab * c);
+  const Real rest = c * all;
+  return {rest * b, rest * a, ab * all};
+}
+
 /// The widest gap between an edge of `triangle` and all of the other one, squared, m2; 0 where
 /// there is none.
 template <class Real>
 PERCOLITH_DEVICE Real widest_gap_squared(const std::array<Vec2<Real>, 3>& triangle,
                                          const BesideEdges<Real>& beside) {
-  Real widest(0.0);
+  std::array<Real, 3> length;  // squared
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec2<Real> edge = triangle[next_corner(i)] - triangle[i];
+    length[i] = dot(edge, edge);
+  }
+  const std::array<Real, 3> inverse = inverses(length[0], length[1], length[2]);
+  Real widest(0.0);
+  for (std::size_t i = 0; i < 3; ++i) {
     const Real nearest = smaller(innermost(beside, i), Real(0.0));
-    widest = larger(nearest * nearest / dot(edge, edge), widest);
+    widest = larger(nearest * nearest * inverse[i], widest);
   }
   return widest;
 }
