@@ -7,22 +7,22 @@
 
 namespace percolith::mechanics {
 
+double elastic_energy_of(const Model& model, Index t, double back) {
+  const Tensor e = triangle_strain(model, t, back).strain;
+  const Triangles& tri = model.triangles;
+  const Tensor s = material::stress_of(model.material[at(tri.material[at(t)])].stiffness, e);
+  double density = 0.5 * (s.xx * e.xx + s.yy * e.yy + 2.0 * s.xy * e.xy);
+  if (!tri.initial_xx.empty()) {
+    density += tri.initial_xx[at(t)] * e.xx + tri.initial_yy[at(t)] * e.yy +
+               2.0 * tri.initial_xy[at(t)] * e.xy;
+  }
+  return density * model.mesh.area(t);
+}
+
 double elastic_energy(const Model& model, const Execution& execution, double back) {
   return execution.sum(model.mesh.triangles(), [&](Index t) {
-    if (model.triangles.inverse_mass[at(t)] == 0.0) {
-      return 0.0;
-    }
-    const TriangleStrain strained = triangle_strain(model, t, back);
-    const auto& stiffness = model.material[at(model.triangles.material[at(t)])].stiffness;
-    const Tensor& e = strained.strain;
-    const Tensor s = material::stress_of(stiffness, e);
-    double density = 0.5 * (s.xx * e.xx + s.yy * e.yy + 2.0 * s.xy * e.xy);
-    if (!model.triangles.initial_xx.empty()) {
-      density += model.triangles.initial_xx[at(t)] * e.xx +
-                 model.triangles.initial_yy[at(t)] * e.yy +
-                 2.0 * model.triangles.initial_xy[at(t)] * e.xy;
-    }
-    return density * model.mesh.area(t);
+    const bool is_there = model.triangles.inverse_mass[at(t)] > 0.0;
+    return is_there ? elastic_energy_of(model, t, back) : 0.0;
   });
 }
 

@@ -7,6 +7,9 @@
 
 namespace percolith::mechanics {
 
+/// Energy of one triangle strained from its in-situ stress, J/m; `back` as in `triangle_strain`.
+[[nodiscard]] double elastic_energy_of(const Model& model, Index triangle, double back = 0.0);
+
 /// Energy of the rock strained from its in-situ stress, J/m: sum of A (E.D.E/2 + S_0.E).
 /// `back` (s): where the corners were so long ago, at their present velocities.
 [[nodiscard]] double elastic_energy(const Model& model, const Execution& execution,

@@ -68,16 +68,7 @@ void support_by_joint(const Model& model, Index j, std::size_t kept_side,
 }
 
 double energy_held(const Model& model, Index t) {
-  const TriangleStrain strained = triangle_strain(model, t);
-  const Tensor& e = strained.strain;
-  const Tensor s =
-      material::stress_of(model.material[at(model.triangles.material[at(t)])].stiffness, e);
-  double density = 0.5 * (s.xx * e.xx + s.yy * e.yy + 2.0 * s.xy * e.xy);
-  if (!model.triangles.initial_xx.empty()) {
-    density += model.triangles.initial_xx[at(t)] * e.xx + model.triangles.initial_yy[at(t)] * e.yy +
-               2.0 * model.triangles.initial_xy[at(t)] * e.xy;
-  }
-  double energy = density * model.mesh.area(t);
+  double energy = elastic_energy_of(model, t);
   for (Index k = 0; k < 3; ++k) {
     const auto c = at(mesh::corner_of(t, k));
     const Point v{model.motion.vx[c], model.motion.vy[c]};
