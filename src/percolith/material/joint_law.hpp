@@ -89,10 +89,27 @@ PERCOLITH_DEVICE JointTraction<Real> softening_traction(const JointConstants<Rea
           select(damaged, shear, elastic.shear)};
 }
 
-/// Energy (J/m2) that a point gives back when it is unloaded along its secants.
+/// Energy (J/m2) that a point of the given damage gives back when it is unloaded along its secants.
+/// Past the peak friction follows the compression at the same slip, which no energy of opening and
+/// slip can: of a point that slides under compression only the spring counts.
 template <class Real>
-PERCOLITH_DEVICE Real stored_energy(const JointTraction<Real>& traction, Real opening, Real slip) {
-  return Real(0.5) * (traction.normal * opening + traction.shear * slip);
+PERCOLITH_DEVICE Real stored_energy(const JointTraction<Real>& traction, Real opening, Real slip,
+                                    Real stiffness, Real damage) {
+  const auto slides = damage > Real(0.0) && traction.normal < Real(0.0);
+  const Real spring = (traction.normal * traction.normal + traction.shear * traction.shear) /
+                      select(slides, stiffness, Real(1.0));
+  const Real secant = traction.normal * opening + traction.shear * slip;
+  return Real(0.5) * select(slides, spring, secant);
+}
+
+/// The part of the shear traction (Pa) that is friction, of a point past its peak; 0 before.
+template <class Real>
+PERCOLITH_DEVICE Real friction_of(const JointConstants<Real>& c, Real opening, Real slip,
+                                  const JointMemory<Real>& memory) {
+  const Real friction = frictional_strength(c, c.stiffness * opening);
+  const Real slip_at_peak = (c.cohesion + friction) / c.stiffness;
+  const Real share = friction / larger(memory.slip_peak, slip_at_peak) * slip;
+  return select(memory.damage > Real(0.0), share, Real(0.0));
 }
 
 }  // namespace percolith::material

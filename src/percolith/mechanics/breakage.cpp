@@ -12,55 +12,41 @@
 namespace percolith::mechanics {
 namespace {
 
-/// Means over the points of the shares of the ranges of softening they went through, and of the
-/// squares of these shares.
+/// Squares of the shares of the ranges of softening that a joint went through, summed over its
+/// points.
 struct Path {
   double opening = 0.0, slip = 0.0;
-  double opening_square = 0.0, slip_square = 0.0;
 };
 
-/// Mean over both points of what the bond of a joint went through.
-Path path_of(const Model& model, const material::JointConstants<double>& c, Index j) {
+/// Where one point failed long before the other, its peaks have grown since: each counts as one.
+Path path_of(const Model& model, const JointTable& table, const JointPoints& points, Index j) {
   const Joints& joints = model.joints;
+  const material::JointConstants<double>& c = table[at(joints.strength[at(j)])];
   const double factor = joints.factor.empty() ? 1.0 : joints.factor[at(j)];
   const double stiffness = joints.full_stiffness[at(j)];
   Path path;
   for (std::size_t g = 0; g < 2; ++g) {
+    const double friction = material::frictional_strength(c, points.traction[g].normal);
     const double opening =
         (joints.opening_peak[g][at(j)] - factor * c.tensile / stiffness) * c.opening_range;
     const double slip =
-        (joints.slip_peak[g][at(j)] - factor * c.cohesion / stiffness) * c.slip_range;
+        (joints.slip_peak[g][at(j)] - (factor * c.cohesion + friction) / stiffness) * c.slip_range;
     const double opened = std::clamp(opening, 0.0, 1.0);
     const double slid = std::clamp(slip, 0.0, 1.0);
-    // Where one point failed long before the other, its peaks have grown since.
     const double more = std::max(1.0, opened * opened + slid * slid);
-    path.opening += 0.5 * opened / std::sqrt(more);
-    path.slip += 0.5 * slid / std::sqrt(more);
-    path.opening_square += 0.5 * opened * opened / more;
-    path.slip_square += 0.5 * slid * slid / more;
+    path.opening += opened * opened / more;
+    path.slip += slid * slid / more;
   }
   return path;
 }
 
 Mode mode_of(const Path& path) {
   constexpr double pure = 0.9;
-  const double opening =
-      path.opening_square / std::max(path.opening_square + path.slip_square, 1e-300);
+  const double opening = path.opening / std::max(path.opening + path.slip, 1e-300);
   if (opening > pure) {
     return Mode::tensile;
   }
   return opening < 1.0 - pure ? Mode::shear : Mode::mixed;
-}
-
-Breakage breakage_of(const Model& model, const JointTable& table, Index j) {
-  const JointKind& kind = model.kind[at(model.joints.strength[at(j)])];
-  const Path path = path_of(model, table[at(model.joints.strength[at(j)])], j);
-  const double factor = model.joints.factor.empty() ? 1.0 : model.joints.factor[at(j)];
-  const double length = model.mesh.joint_length(j);
-  // On a straight path in opening and slip the bond spends just this share of G_I and G_II.
-  const double spent =
-      kind.strength.mode_1_energy * path.opening + kind.strength.mode_2_energy * path.slip;
-  return {j, model.motion.time, mode_of(path), length, factor * length * spent};
 }
 
 bool has_failed(const Model& model, Index j) {
@@ -106,8 +92,9 @@ ClosedJoint close(const Model& model, Index j, const JointPoints& points) {
 void give_up_bonded(Model& model, const JointTable& table, Changes& changes) {
   std::vector<ClosedJoint> closed;
   for (const Index j : failed_joints(model)) {
-    changes.broke.push_back(breakage_of(model, table, j));
     const JointPoints points = joint_points(model, table, j);
+    changes.broke.push_back({j, model.motion.time, mode_of(path_of(model, table, points, j)),
+                             model.mesh.joint_length(j), model.joints.past.spent[at(j)]});
     const bool pressed = points.traction[0].normal < 0.0 || points.traction[1].normal < 0.0;
     model.joints.state[at(j)] = pressed ? JointState::closed : JointState::broken;
     if (pressed) {
@@ -128,7 +115,6 @@ void give_up_closed(Model& model, Changes& changes) {
   changes.parted = ended_closed_joints(model);
   for (const ClosedJointEnd& end : changes.parted) {
     model.joints.state[at(end.joint)] = JointState::broken;
-    model.energy.handed_over += end.stored;
     double* force = model.joints.force.data() + force_slot(end.joint);
     for (Index component = 0; component < 4; ++component) {
       force[component * block_width] = 0.0;

@@ -79,6 +79,14 @@ void measure_joint(const mesh::Mesh& mesh, const Ingredients& from, Index j, Joi
   joints.full_stiffness[at(j)] = penalty / joints.size[at(j)];
 }
 
+/// Marks a block none of whose joints is bonded.
+void note_if_gone(Joints& joints, std::size_t block) {
+  const auto first = joints.stiffness.begin() + static_cast<std::ptrdiff_t>(block * block_width);
+  if (std::all_of(first, first + block_width, [](double k) { return k == 0.0; })) {
+    joints.condition[block] = static_cast<std::uint8_t>(BlockCondition::gone);
+  }
+}
+
 Joints make_joints(const mesh::Mesh& mesh, const Ingredients& from) {
   // One joint more than there are: edges without a joint refer to it.
   const auto n = at(padded(mesh.joints() + 1));
@@ -98,7 +106,13 @@ Joints make_joints(const mesh::Mesh& mesh, const Ingredients& from) {
     joints.opening_peak[g].assign(n, 0.0);
     joints.slip_peak[g].assign(n, 0.0);
     joints.damage[g].assign(n, 0.0);
+    for (auto* past : {&joints.past.opening, &joints.past.slip, &joints.past.normal,
+                       &joints.past.shear}) {
+      (*past)[g].assign(n, 0.0);
+    }
   }
+  joints.past.spent.assign(n, 0.0);
+  joints.past.rubbed.assign(n, 0.0);
   joints.state.assign(n, JointState::tied);
   joints.force.assign(4 * n, 0.0);
   joints.condition.assign(n / block_width, 0);
@@ -122,6 +136,9 @@ Joints make_joints(const mesh::Mesh& mesh, const Ingredients& from) {
     }
   }
   joints.uniform = uniform_blocks(joints.strength);
+  for (std::size_t block = 0; block < joints.condition.size(); ++block) {
+    note_if_gone(joints, block);
+  }
   return joints;
 }
 
@@ -205,7 +222,14 @@ void switch_off(Model& model, Index joint) {
     model.joints.opening_peak[g][j] = 0.0;
     model.joints.slip_peak[g][j] = 0.0;
     model.joints.damage[g][j] = 0.0;
+    model.joints.past.normal[g][j] = 0.0;
+    model.joints.past.shear[g][j] = 0.0;
   }
+  double* force = model.joints.force.data() + force_slot(joint);
+  for (Index component = 0; component < 4; ++component) {
+    force[component * block_width] = 0.0;
+  }
+  note_if_gone(model.joints, j / block_width);
 }
 
 }  // namespace percolith::mechanics

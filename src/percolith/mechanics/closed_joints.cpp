@@ -102,7 +102,7 @@ std::vector<ClosedJointEnd> ended_closed_joints(const Model& model) {
     }
     const JointPoints k = joint_openings(model, closed.joint);
     const double length = model.mesh.joint_length(closed.joint);
-    ClosedJointEnd end{closed.joint, 0.0, {}, stored_in(closed, k, length)};
+    ClosedJointEnd end{closed.joint, 0.0, {}};
     for (std::size_t g = 0; g < 2; ++g) {
       const auto t = traction_of(closed, k, g).traction;
       end.normal_force -= 0.5 * length * t.normal;

@@ -18,7 +18,6 @@ struct ClosedJointEnd {
   Index joint = 0;
   double normal_force = 0.0;  ///< N/m, compression positive
   Point shear_on_first;       ///< N/m, on side 0
-  double stored = 0.0;        ///< J/m
 };
 
 /// The closed joints that were found in the last `add_closed_joints` to have ended: their faces

@@ -110,10 +110,7 @@ void Dynamics::book(const LaneTotals<terms>& totals, double dt) {
   const auto value = [&](Term term) { return totals.sum[static_cast<std::size_t>(term)]; };
   Energies& e = model_.energy;
   e.kinetic = value(Term::kinetic);
-  e.internal_work += value(Term::internal);
   e.viscous += -value(Term::viscous);
-  e.joint_work += value(Term::joint);
-  e.contact_work += value(Term::contact);
   e.load_work += value(Term::load);
   e.gravity_work += value(Term::gravity);
   e.support_work += value(Term::support);
@@ -171,7 +168,17 @@ double Dynamics::unbalanced_ratio() const {
 }
 
 EnergyBalance Dynamics::energy(const Execution& execution) const {
-  return energy_balance(model_, table_, start_, contact_.friction_dissipation(), execution);
+  const Motion& m = model_.motion;
+  std::vector<double> ux = m.ux;
+  std::vector<double> uy = m.uy;
+  for (std::size_t c = 0; c < ux.size(); ++c) {
+    ux[c] -= 0.5 * m.last_step * m.vx[c];
+    uy[c] -= 0.5 * m.last_step * m.vy[c];
+  }
+  const double pressed = contact_.potential_energy(model_.mesh, {ux, uy, m.vx, m.vy});
+  return energy_balance(model_, table_, start_,
+                        {pressed + contact_.stored_tangential(), contact_.friction_dissipation()},
+                        execution);
 }
 
 std::vector<std::array<Index, 2>> Dynamics::overlapping() const {

@@ -35,13 +35,9 @@ double stored_in_joints(const Model& model, const JointTable& table, const Execu
     const JointPoints points = joint_points(model, table, j, back);
     double stored = 0.0;
     for (std::size_t g = 0; g < 2; ++g) {
-      const auto& t = points.traction[g];
-      // Past the peak friction follows the compression at the same slip, which no energy of opening
-      // and slip can: of it only the spring counts.
-      const bool slides = model.joints.damage[g][at(j)] > 0.0 && t.normal < 0.0;
-      stored +=
-          slides ? 0.5 * (t.normal * t.normal + t.shear * t.shear) / model.joints.stiffness[at(j)]
-                 : material::stored_energy(t, points.opening[g], points.slip[g]);
+      stored += material::stored_energy(points.traction[g], points.opening[g], points.slip[g],
+                                        model.joints.stiffness[at(j)],
+                                        model.joints.damage[g][at(j)]);
     }
     return 0.5 * model.mesh.joint_length(j) * stored;
   });
@@ -49,7 +45,7 @@ double stored_in_joints(const Model& model, const JointTable& table, const Execu
 }
 
 EnergyBalance energy_balance(const Model& model, const JointTable& table, const EnergyStart& start,
-                             double contact_friction, const Execution& execution) {
+                             const ContactEnergy& contact, const Execution& execution) {
   const Energies& e = model.energy;
   EnergyBalance b;
   b.kinetic = e.kinetic;
@@ -60,11 +56,13 @@ EnergyBalance energy_balance(const Model& model, const JointTable& table, const 
   b.damping = e.damping.total() + e.viscous.total();
   b.gravity = e.gravity_work.total();
   b.external = e.load_work.total() + e.absorbed.total() + e.support_work.total();
-  b.friction = contact_friction + e.closed_friction.total();
-  const double handed = e.handed_over.total();
-  b.contact = handed - e.contact_work.total() - contact_friction;
-  b.fracture = -e.joint_work.total() - (b.joint - start.joint) - e.closed_friction.total() -
-               handed - e.joints_taken_out.total();
+  const auto over_joints = [&](const std::vector<double>& value) {
+    return execution.sum(model.mesh.joints(), [&](Index j) { return value[at(j)]; });
+  };
+  b.friction =
+      contact.friction + e.closed_friction.total() + over_joints(model.joints.past.rubbed);
+  b.fracture = over_joints(model.joints.past.spent);
+  b.contact = contact.stored;
   b.residual =
       b.gravity + b.external -
       ((b.kinetic - start.kinetic) + (b.elastic - start.elastic) + (b.joint - start.joint) +

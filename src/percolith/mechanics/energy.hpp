@@ -21,15 +21,17 @@ namespace percolith::mechanics {
                                       const Execution& execution, double back = 0.0);
 
 /// Energy balance from time zero to the middle of the last step, J/m, where the velocities are.
-/// Works and kinetic energy are those of the discrete motion and close to round-off; elastic energy
-/// and the energy in joints are functions of the positions half a step ago, so that `residual`
-/// shows the error of the integration in time, which falls with the square of the step.
+/// Kinetic energy and the works from outside are those of the discrete motion. What is stored in
+/// triangles, joints and contacts is a function of the positions half a step ago, and what joints
+/// and friction spend follows from their laws, point by point: `residual` shows the error of the
+/// integration in time and whatever the laws do not account for, as a jump where contact takes over
+/// from a joint.
 struct EnergyBalance {
   double kinetic = 0.0, elastic = 0.0;  ///< now
   double joint = 0.0;                   ///< stored in bonded and closed joints, since the start
-  double fracture = 0.0;                ///< spent in bonds past their peak
+  double fracture = 0.0;                ///< spent in bonds past their peak, friction not included
   double contact = 0.0;                 ///< stored in contact
-  double friction = 0.0;                ///< spent by sliding faces
+  double friction = 0.0;                ///< spent by sliding faces, bonded or not
   double damping = 0.0;                 ///< spent by damping, element viscosity included
   double absorbed = 0.0;  ///< left through absorbing boundaries or with rock taken out
   double gravity = 0.0, external = 0.0;  ///< work done on the rock
@@ -41,9 +43,14 @@ struct EnergyStart {
   double kinetic = 0.0, elastic = 0.0, joint = 0.0;
 };
 
-/// `contact_friction` (J/m) is what contact has spent by friction.
+/// Of contact, J/m: stored now, in the middle of the last step, and spent by friction since the
+/// start.
+struct ContactEnergy {
+  double stored = 0.0, friction = 0.0;
+};
+
 [[nodiscard]] EnergyBalance energy_balance(const Model& model, const JointTable& table,
-                                           const EnergyStart& start, double contact_friction,
+                                           const EnergyStart& start, const ContactEnergy& contact,
                                            const Execution& execution);
 
 }  // namespace percolith::mechanics

@@ -82,10 +82,6 @@ void forget_joint(Model& model, Index j) {
   model.joints.state[at(j)] = JointState::broken;
   model.tied[at(j)] = 0;
   model.bonded[at(j)] = 0;
-  double* force = model.joints.force.data() + force_slot(j);
-  for (Index component = 0; component < 4; ++component) {
-    force[component * block_width] = 0.0;
-  }
 }
 
 void stop_triangle(Model& model, Index t) {

@@ -27,6 +27,11 @@ JointForces::JointForces(Model& model, const JointTable& table)
       opening_peak_{model.joints.opening_peak[0].data(), model.joints.opening_peak[1].data()},
       slip_peak_{model.joints.slip_peak[0].data(), model.joints.slip_peak[1].data()},
       damage_{model.joints.damage[0].data(), model.joints.damage[1].data()},
+      past_opening_{model.joints.past.opening[0].data(), model.joints.past.opening[1].data()},
+      past_slip_{model.joints.past.slip[0].data(), model.joints.past.slip[1].data()},
+      past_normal_{model.joints.past.normal[0].data(), model.joints.past.normal[1].data()},
+      past_shear_{model.joints.past.shear[0].data(), model.joints.past.shear[1].data()},
+      spent_(model.joints.past.spent.data()), rubbed_(model.joints.past.rubbed.data()),
       condition_(model.joints.condition.data()), force_(model.joints.force.data()) {}
 
 }  // namespace percolith::mechanics

@@ -21,6 +21,10 @@ struct JointForces {
   PERCOLITH_DEVICE void operator()(Lane lane) const {
     using Real = typename Lane::Real;
     const Index j = lane.first;
+    std::uint8_t& block = condition_[j / block_width];
+    if (block == static_cast<std::uint8_t>(BlockCondition::gone)) {
+      return;
+    }
     const Vec2<Real> edge{Lane::load(ex_ + j), Lane::load(ey_ + j)};
     const JointPlace<Real> place = joint_place(edge, displacements<Lane>(j));
     const material::JointConstants<Real> c = constants<Lane>(j);
@@ -39,11 +43,10 @@ struct JointForces {
       t[g] = material::elastic_traction(c.stiffness, opening[g], slip[g]);
       weak = weak || material::exceeds_strength(c, t[g]);
     }
-    std::uint8_t& block = condition_[j / block_width];
-    if (block != static_cast<std::uint8_t>(BlockCondition::whole) || any(weak)) {
-      soften<Lane>(j, c, opening, slip, t, block);
-    }
     const Real length = square_root(dot(edge, edge));
+    if (block != static_cast<std::uint8_t>(BlockCondition::whole) || any(weak)) {
+      soften<Lane>(j, c, length, opening, slip, t, block);
+    }
     const auto f = joint_forces(place, length, t);
     double* out = force_ + force_slot(j);
     Lane::store(out, f[0].x);
@@ -99,26 +102,75 @@ private:
 
   template <class Lane>
   PERCOLITH_DEVICE void soften(Index j, const material::JointConstants<typename Lane::Real>& c,
+                               typename Lane::Real length,
                                const std::array<typename Lane::Real, 2>& opening,
                                const std::array<typename Lane::Real, 2>& slip,
                                std::array<material::JointTraction<typename Lane::Real>, 2>& t,
                                std::uint8_t& block) const {
     using Real = typename Lane::Real;
     Real least(1.0);
+    Real spent(0.0);
+    Real rubbed(0.0);
     for (std::size_t g = 0; g < 2; ++g) {
       material::JointMemory<Real> memory{Lane::load(opening_peak_[g] + j),
                                          Lane::load(slip_peak_[g] + j), Lane::load(damage_[g] + j)};
+      const Real damage_before = memory.damage;
       t[g] = material::softening_traction(c, opening[g], slip[g], memory);
+      const auto bonded = c.stiffness > Real(0.0);
+      const Spending<Real> lost =
+          spend<Lane>(j, g, c, damage_before, opening[g], slip[g], t[g], memory);
+      spent += select(bonded, lost.bond, Real(0.0));
+      rubbed += select(bonded, lost.friction, Real(0.0));
       Lane::store(opening_peak_[g] + j, memory.opening_peak);
       Lane::store(slip_peak_[g] + j, memory.slip_peak);
       Lane::store(damage_[g] + j, memory.damage);
       least = smaller(least, memory.damage);
     }
+    const Real half = Real(0.5) * length;
+    Lane::store(spent_ + j, Lane::load(spent_ + j) + half * spent);
+    Lane::store(rubbed_ + j, Lane::load(rubbed_ + j) + half * rubbed);
     const auto reached = any(least >= Real(1.0)) ? BlockCondition::failed : BlockCondition::damaged;
     // Eight lanes of one block may come one after the other: none takes back what another found.
     if (block < static_cast<std::uint8_t>(reached)) {
       block = static_cast<std::uint8_t>(reached);
     }
+  }
+
+  /// Energies a point lost in a step, J/m2.
+  template <class Real>
+  struct Spending {
+    Real bond, friction;
+  };
+
+  /// What a point lost since the last step: the work of its traction, by the trapezoidal rule, less
+  /// what is stored more; friction apart. The step in which it passes its peak counts from there.
+  template <class Lane>
+  PERCOLITH_DEVICE Spending<typename Lane::Real>
+  spend(Index j, std::size_t g, const material::JointConstants<typename Lane::Real>& c,
+        typename Lane::Real damage_before, typename Lane::Real opening, typename Lane::Real slip,
+        const material::JointTraction<typename Lane::Real>& now,
+        const material::JointMemory<typename Lane::Real>& memory) const {
+    using Real = typename Lane::Real;
+    const auto known = damage_before > Real(0.0);
+    const material::JointTraction<Real> elastic =
+        material::elastic_traction(c.stiffness, opening, slip);
+    const Real opening_before = select(known, Lane::load(past_opening_[g] + j), opening);
+    const Real slip_before = select(known, Lane::load(past_slip_[g] + j), slip);
+    const material::JointTraction<Real> before{
+        select(known, Lane::load(past_normal_[g] + j), elastic.normal),
+        select(known, Lane::load(past_shear_[g] + j), elastic.shear)};
+    Lane::store(past_opening_[g] + j, opening);
+    Lane::store(past_slip_[g] + j, slip);
+    Lane::store(past_normal_[g] + j, now.normal);
+    Lane::store(past_shear_[g] + j, now.shear);
+    const Real slid = slip - slip_before;
+    const Real work = Real(0.5) * ((before.normal + now.normal) * (opening - opening_before) +
+                                   (before.shear + now.shear) * slid);
+    const Real stored_before = material::stored_energy(before, opening_before, slip_before,
+                                                       c.stiffness, damage_before);
+    const Real stored = material::stored_energy(now, opening, slip, c.stiffness, memory.damage);
+    const Real friction = slid * material::friction_of(c, opening, slip, memory);
+    return {work - (stored - stored_before) - friction, friction};
   }
 
   const double* ux_;
@@ -134,6 +186,9 @@ private:
   bool starts_;
   std::array<const double*, 2> opening_start_, slip_start_;
   std::array<double*, 2> opening_peak_, slip_peak_, damage_;
+  std::array<double*, 2> past_opening_, past_slip_, past_normal_, past_shear_;
+  double* spent_;
+  double* rubbed_;
   std::uint8_t* condition_;
   double* force_;
 };

@@ -49,6 +49,14 @@ struct Triangles {
   std::vector<Index> edge_joint;      ///< per corner: code of the joint of the edge k to k + 1
 };
 
+/// What the bonds of joints past their peak have spent, and what it takes to go on with it.
+struct JointPast {
+  std::array<std::vector<double>, 2> opening, slip;  ///< in the last step, m, [point]
+  std::array<std::vector<double>, 2> normal, shear;  ///< traction in the last step, Pa, [point]
+  std::vector<double> spent;   ///< by the bond, friction not included, J/m
+  std::vector<double> rubbed;  ///< by friction while the bond softened, J/m
+};
+
 /// Joints, bonded or not: a joint that is not bonded has stiffness 0 and so carries nothing.
 struct Joints {
   std::vector<Index> slot;        ///< 32 a block: corners side 0 end 0, 0 1, 1 0, 1 1, eight each
@@ -61,13 +69,15 @@ struct Joints {
   std::vector<double> factor;          ///< on strengths, from heterogeneity; or empty
   std::array<std::vector<double>, 2> opening_start, slip_start;  ///< in-situ: traction/k; or empty
   std::array<std::vector<double>, 2> opening_peak, slip_peak, damage;  ///< [point]
+  JointPast past;
   std::vector<std::uint8_t> condition;  ///< per block, `BlockCondition`
   std::vector<JointState> state;
   std::vector<double> force;  ///< 32 a block: x and y on side 0 at end 0, at end 1, N/m
 };
 
-/// What has happened to the joints of a block.
-enum class BlockCondition : std::uint8_t { whole = 0, damaged = 1, failed = 2 };
+/// What has happened to the joints of a block: none was ever past its peak; some were; some have
+/// failed in the last step; none is bonded, so that none carries anything.
+enum class BlockCondition : std::uint8_t { whole = 0, damaged = 1, failed = 2, gone = 3 };
 
 /// Strength and what follows from it, per kind of joint.
 struct JointKind {
@@ -117,9 +127,6 @@ struct Loads {
 /// Works and energies since time zero, J/m.
 struct Energies {
   double kinetic = 0.0;
-  CompensatedSum internal_work;  ///< of the stresses
-  CompensatedSum joint_work;     ///< of the tractions of bonded and closed joints
-  CompensatedSum contact_work;
   CompensatedSum load_work;  ///< of tractions, pressures and point forces
   CompensatedSum gravity_work;
   CompensatedSum support_work;      ///< of the supports
@@ -127,7 +134,6 @@ struct Energies {
   CompensatedSum viscous;           ///< spent by element viscosity, positive
   CompensatedSum absorbed;          ///< let out through absorbing boundaries, positive
   CompensatedSum closed_friction;   ///< spent by slip of closed joints, positive
-  CompensatedSum handed_over;       ///< stored by closed joints when contact took over
   CompensatedSum taken_out;         ///< held by triangles that were taken out
   CompensatedSum joints_taken_out;  ///< held by their joints
   double unbalanced = 0.0;          ///< sum of |F| over the corners, last step, N/m

@@ -8,10 +8,7 @@ namespace percolith::mechanics {
 /// What the motion of a step adds up, in the order of `LaneSums`.
 enum class Term : std::size_t {
   kinetic,     ///< 1/2 m v^2 in the middle of the step, J/m
-  internal,    ///< works over the step, J/m: of the stress
-  viscous,     ///< of the viscous part of the stress
-  joint,       ///< of the joints
-  contact,     ///< of contact
+  viscous,     ///< works over the step, J/m: of the viscous part of the stress
   load,        ///< of loads
   gravity,     ///< of gravity
   damping,     ///< of nodal viscosity and local damping
@@ -146,13 +143,8 @@ struct Move {
     add(Term::kinetic,
         Real(0.5) * mass *
             ((dot(fast[0], fast[0]) + dot(fast[1], fast[1])) + dot(fast[2], fast[2])));
-    add(Term::internal, work(f.stress));
-    add(Term::joint, work(f.joint));
     if (solid.is_viscous()) {
       add(Term::viscous, work(f.viscous));
-    }
-    if (contact_acts != nullptr && contact_acts[lane.first / block_width] != 0) {
-      add(Term::contact, work(f.contact));
     }
     if (load_acts[lane.first / block_width] != 0) {
       add(Term::load, work(f.load));

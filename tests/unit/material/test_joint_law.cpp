@@ -174,7 +174,8 @@ TEST(JointLaw, UnloadingFollowsTheSecant) {
     EXPECT_NEAR(point.move(share * far, 0.0).normal, share * traction, 1e-9 * tensile);
     EXPECT_NEAR(point.memory.damage, 0.3, 1e-12);
   }
-  EXPECT_NEAR(stored_energy(JointTraction<double>{traction, 0.0}, far, 0.0), 0.5 * traction * far,
+  const JointTraction<double> pulled{traction, 0.0};
+  EXPECT_NEAR(stored_energy(pulled, far, 0.0, stiffness, 0.3), 0.5 * traction * far,
               1e-12);
 }
 

@@ -26,7 +26,6 @@ TEST(Breakage, APulledJointBreaksInTensionAndSpendsItsEnergy) {
   EXPECT_EQ(broke[0].joint, 0);
   EXPECT_EQ(broke[0].mode, Mode::tensile);
   EXPECT_NEAR(broke[0].length, JointPair::length, 1e-14);
-  EXPECT_NEAR(broke[0].released, 50.0 * JointPair::length, 1e-2);
   // It fails after 1/1.1 of the way.
   EXPECT_NEAR(broke[0].time, pair.model().motion.time / 1.1, 3 * JointPair::dt);
   EXPECT_EQ(pair.model().joints.state[0], JointState::broken);
@@ -36,7 +35,8 @@ TEST(Breakage, APulledJointBreaksInTensionAndSpendsItsEnergy) {
   EXPECT_EQ(e.friction, 0.0);
   // What lies before the peak is spent too when the joint is gone: f_t^2/(2 k).
   const double before = 0.5 * std::pow(3e6, 2) / JointPair::stiffness() * JointPair::length;
-  EXPECT_NEAR(e.fracture, 50.0 * JointPair::length + before, 1e-3 * e.fracture);
+  EXPECT_NEAR(broke[0].released, 50.0 * JointPair::length + before, 1e-4 * e.fracture);
+  EXPECT_EQ(e.fracture, broke[0].released);
   EXPECT_LT(std::abs(e.residual), 1e-3 * e.external);
 }
 
@@ -45,7 +45,8 @@ TEST(Breakage, ASlidJointBreaksInShear) {
   const auto broke = pair.move().broke;
   ASSERT_EQ(broke.size(), 1u);
   EXPECT_EQ(broke[0].mode, Mode::shear);
-  EXPECT_NEAR(broke[0].released, 100.0 * JointPair::length, 1e-2);
+  const double before = 0.5 * std::pow(6e6, 2) / JointPair::stiffness() * JointPair::length;
+  EXPECT_NEAR(broke[0].released, 100.0 * JointPair::length + before, 1e-2);
 }
 
 TEST(Breakage, OnAStraightMixedPathTheEventTellsWhatWasSpent) {
@@ -59,8 +60,9 @@ TEST(Breakage, OnAStraightMixedPathTheEventTellsWhatWasSpent) {
   EXPECT_EQ(broke[0].mode, Mode::mixed);
   const double before =
       0.5 * (std::pow(3e6, 2) + std::pow(6e6, 2)) / JointPair::stiffness() * JointPair::length;
-  EXPECT_NEAR(broke[0].released, std::sqrt(0.5) * 150.0 * JointPair::length, 1e-3 * 150.0);
-  EXPECT_NEAR(pair.energy().fracture, broke[0].released + before, 0.01 * 150.0);
+  EXPECT_NEAR(broke[0].released, std::sqrt(0.5) * 150.0 * JointPair::length + before,
+              1e-3 * 150.0);
+  EXPECT_EQ(pair.energy().fracture, broke[0].released);
 }
 
 TEST(Breakage, APointThatFailedEarlyCountsByHowItFailed) {
@@ -75,7 +77,7 @@ TEST(Breakage, APointThatFailedEarlyCountsByHowItFailed) {
   model.joints.condition[0] = static_cast<std::uint8_t>(BlockCondition::failed);
   const auto broke = break_failed_joints(model, joint_table(model)).broke;
   ASSERT_EQ(broke.size(), 1u);
-  EXPECT_NEAR(broke[0].released, 100.0 * JointPair::length, 0.05 * 100.0 * JointPair::length);
+  EXPECT_EQ(broke[0].mode, Mode::mixed);
 }
 
 TEST(Breakage, ShortOfTheWayNothingBreaks) {

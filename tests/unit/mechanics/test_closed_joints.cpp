@@ -81,7 +81,6 @@ TEST(ClosedJoints, PullingPartsTheFaces) {
   const auto parted = pair.move().parted;
   ASSERT_EQ(parted.size(), 1u);
   EXPECT_EQ(parted[0].normal_force, 0.0);
-  EXPECT_EQ(parted[0].stored, 0.0);
   EXPECT_EQ(pair.model().joints.state[0], JointState::broken);
   EXPECT_TRUE(pair.model().closed.empty());
   EXPECT_EQ(pair.joint_force().x, 0.0);
