@@ -48,9 +48,9 @@ struct StrengthHelp {
 
 template <class V>
 void list_strength(V& option, material::JointStrength& m, const StrengthHelp& help) {
-  option(m.tensile_strength, Quantity{"tensile_strength", "Pa", positive, Need::optional,
+  option(m.tensile_strength, Quantity{"tensile_strength", "Pa", not_negative, Need::optional,
                                       "Tensile strength of the joints.", help.needed});
-  option(m.cohesion, Quantity{"cohesion", "Pa", positive, Need::optional,
+  option(m.cohesion, Quantity{"cohesion", "Pa", not_negative, Need::optional,
                               "Shear strength of the joints without normal stress.", help.needed});
   option(m.friction_angle,
          Quantity{"friction_angle", "rad", slope_angle, Need::optional,
@@ -59,11 +59,13 @@ void list_strength(V& option, material::JointStrength& m, const StrengthHelp& he
          Quantity{"residual_friction_angle", "rad", slope_angle, Need::optional,
                   "Friction angle of broken joints and of contact.", help.residual});
   option(m.mode_1_energy,
-         Quantity{"mode_1_energy", "J/m2", positive, Need::optional,
-                  "Energy that a joint spends to open, after its peak.", help.needed});
-  option(m.mode_2_energy, Quantity{"mode_2_energy", "J/m2", positive, Need::optional,
+         Quantity{"mode_1_energy", "J/m2", not_negative, Need::optional,
+                  "Energy that a joint spends to open, after its peak; zero just where "
+                  "tensile_strength is.",
+                  help.needed});
+  option(m.mode_2_energy, Quantity{"mode_2_energy", "J/m2", not_negative, Need::optional,
                                    "Energy that a joint spends to slip, after its peak and above "
-                                   "residual friction.",
+                                   "residual friction; zero just where cohesion is.",
                                    help.needed});
   option(m.joint_penalty, Quantity{"joint_penalty", "Pa", positive, Need::optional,
                                    "Stiffness of a joint times the size of its elements.",

@@ -38,6 +38,32 @@ void check_elasticity(Rules& rules) {
   }
 }
 
+/// A strength is lost over a range that its energy sets: both are zero or neither is.
+void check_energy(Rules& rules, const std::string& path, const char* strength_name, double strength,
+                  const char* energy_name, double energy) {
+  if ((strength > 0.0) != (energy > 0.0)) {
+    rules.fail(path + "." + energy_name, {path + "." + strength_name},
+               strength > 0.0 ? fmt::format("out of range where {} is above zero", strength_name)
+                              : fmt::format("has no effect where {} is zero", strength_name),
+               strength > 0.0 ? "above 0 J/m2" : "0 J/m2");
+  }
+}
+
+void check_strength(Rules& rules, const std::string& path, const material::JointStrength& s) {
+  check_energy(rules, path, "tensile_strength", s.tensile_strength, "mode_1_energy",
+               s.mode_1_energy);
+  check_energy(rules, path, "cohesion", s.cohesion, "mode_2_energy", s.mode_2_energy);
+}
+
+void check_strengths(Rules& rules) {
+  for (const auto& [name, material] : rules.setup().material) {
+    check_strength(rules, "material." + name, material.strength);
+  }
+  for (const auto& [name, fracture] : rules.setup().fracture) {
+    check_strength(rules, "fracture." + name, fracture.strength);
+  }
+}
+
 void check_bodies(Rules& rules) {
   GroupNames regions(rules);
   for (const auto& [name, body] : rules.setup().body) {
@@ -84,6 +110,7 @@ void check_damping(Rules& rules) {
 
 void check_mechanics(Rules& rules) {
   check_elasticity(rules);
+  check_strengths(rules);
   check_bodies(rules);
   check_forces(rules);
   check_excavations(rules);

@@ -84,7 +84,9 @@ PERCOLITH_DEVICE JointTraction<Real> softening_traction(const JointConstants<Rea
   memory.slip_peak = select(damaged, larger(memory.slip_peak, slid), memory.slip_peak);
   const Real left = softening(memory.damage);
   const Real tension = left * c.tensile / larger(memory.opening_peak, opening_at_peak) * opening;
-  const Real shear = (left * c.cohesion + friction) / larger(memory.slip_peak, slip_at_peak) * slip;
+  // Without cohesion and pressure the slip at the peak is zero too.
+  const Real slip_reached = larger(larger(memory.slip_peak, slip_at_peak), Real(1e-300));
+  const Real shear = (left * c.cohesion + friction) / slip_reached * slip;
   return {select(damaged && opening > Real(0.0), tension, elastic.normal),
           select(damaged, shear, elastic.shear)};
 }
@@ -108,7 +110,8 @@ PERCOLITH_DEVICE Real friction_of(const JointConstants<Real>& c, Real opening, R
                                   const JointMemory<Real>& memory) {
   const Real friction = frictional_strength(c, c.stiffness * opening);
   const Real slip_at_peak = (c.cohesion + friction) / c.stiffness;
-  const Real share = friction / larger(memory.slip_peak, slip_at_peak) * slip;
+  const Real share =
+      friction / larger(larger(memory.slip_peak, slip_at_peak), Real(1e-300)) * slip;
   return select(memory.damage > Real(0.0), share, Real(0.0));
 }
 

@@ -11,7 +11,7 @@ namespace percolith::mechanics {
 namespace {
 
 /// Slip over the length of a joint beyond which its faces are left to contact.
-constexpr double facing_share = 0.1;
+constexpr double facing_share = 0.01;
 /// The same where in-situ stress presses the faces together.
 constexpr double pressed_share = 1.0;
 /// Opening over the length beyond which its faces have parted: above round-off, far below any
@@ -102,7 +102,7 @@ std::vector<ClosedJointEnd> ended_closed_joints(const Model& model) {
     }
     const JointPoints k = joint_openings(model, closed.joint);
     const double length = model.mesh.joint_length(closed.joint);
-    ClosedJointEnd end{closed.joint, 0.0, {}};
+    ClosedJointEnd end{closed.joint, 0.0, {}, closed.stiffness};
     for (std::size_t g = 0; g < 2; ++g) {
       const auto t = traction_of(closed, k, g).traction;
       end.normal_force -= 0.5 * length * t.normal;

@@ -18,10 +18,11 @@ struct ClosedJointEnd {
   Index joint = 0;
   double normal_force = 0.0;  ///< N/m, compression positive
   Point shear_on_first;       ///< N/m, on side 0
+  double stiffness = 0.0;     ///< k, Pa/m
 };
 
 /// The closed joints that were found in the last `add_closed_joints` to have ended: their faces
-/// have parted, or slid so far (a tenth of their length) that they no longer face each other;
+/// have parted, or slid so far (a hundredth of their length) that they no longer face each other;
 /// ascending.
 [[nodiscard]] std::vector<ClosedJointEnd> ended_closed_joints(const Model& model);
 

@@ -149,13 +149,21 @@ void Dynamics::renew_contact(const Changes& changes) {
   contact_.topology_changed(model_.mesh, {candidate_, &model_.fans, faces_touch_}, changed);
   for (const ClosedJointEnd& end : changes.parted) {
     if (end.normal_force > 0.0) {
-      contact_.hand_over(model_.mesh, {end.joint, end.normal_force, end.shear_on_first});
+      contact_.hand_over(model_.mesh, {end.joint, end.normal_force, end.shear_on_first, end.stiffness});
     }
   }
 }
 
 void Dynamics::take_out(std::span<const Index> triangles, double duration) {
-  loads_.add_fading(model_.mesh, remove_triangles(model_, table_, triangles, duration));
+  std::vector<std::uint8_t> removed(at(model_.mesh.triangles()), 0);
+  for (const Index t : triangles) {
+    removed[at(t)] = 1;
+  }
+  const ContactRelease contact = contact_.release(model_.mesh, motion_of(model_), removed);
+  model_.energy.taken_out += contact.energy;
+  FadingSupport support = remove_triangles(model_, table_, triangles, duration);
+  support.force.insert(support.force.end(), contact.force.begin(), contact.force.end());
+  loads_.add_fading(model_.mesh, std::move(support));
   start_contact();
 }
 

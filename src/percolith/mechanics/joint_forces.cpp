@@ -3,14 +3,25 @@
 
 namespace percolith::mechanics {
 
+namespace {
+
+/// Reciprocal of a range of softening (1/m) of a strength that spends `energy` (J/m2). Without
+/// strength there is nothing to soften: the range is next to nothing.
+double inverse_range(double strength, double energy) {
+  constexpr double at_once = 1e30;
+  return strength > 0.0 ? material::softening_integral * strength / energy : at_once;
+}
+
+}  // namespace
+
 JointTable joint_table(const Model& model) {
   JointTable table;
   table.reserve(model.kind.size());
   for (const JointKind& kind : model.kind) {
     const material::JointStrength& s = kind.strength;
     table.push_back({0.0, s.tensile_strength, s.cohesion, kind.friction,
-                     material::softening_integral * s.tensile_strength / s.mode_1_energy,
-                     material::softening_integral * s.cohesion / s.mode_2_energy});
+                     inverse_range(s.tensile_strength, s.mode_1_energy),
+                     inverse_range(s.cohesion, s.mode_2_energy)});
   }
   return table;
 }

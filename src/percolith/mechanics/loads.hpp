@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/mechanics/corner_force.hpp"
 #include "percolith/mechanics/model.hpp"
 #include "percolith/time/schedule.hpp"
 
@@ -19,12 +20,6 @@ struct EdgeTraction {
 struct EdgePressure {
   std::vector<Index> edges;
   Schedule pressure;
-};
-
-/// A force that stays the same, on one corner, N/m.
-struct CornerForce {
-  Index corner = 0;
-  Point force;
 };
 
 /// A force on one corner over time, N/m.

@@ -166,6 +166,11 @@ struct Model {
   Energies energy;
 };
 
+/// `JointKind::owner` of a joint.
+inline Index owner_of(const Model& model, Index joint) {
+  return model.kind[at(model.joints.strength[at(joint)])].owner;
+}
+
 /// Where the force of a joint starts in `Joints::force`: x at end 0, y eight further, end 1 sixteen
 /// further.
 PERCOLITH_DEVICE Index force_slot(Index joint) {

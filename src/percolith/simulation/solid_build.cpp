@@ -66,11 +66,10 @@ void set_friction_of_fractures(const mechanics::Model& model, std::size_t materi
                                std::vector<double>& friction) {
   std::vector<std::uint8_t> set(friction.size(), 0);
   for (Index j = 0; j < model.mesh.joints(); ++j) {
-    const auto kind = at(model.joints.strength[at(j)]);
-    if (kind < materials) {
+    if (at(mechanics::owner_of(model, j)) < materials) {
       continue;
     }
-    const double own = model.kind[kind].residual_friction;
+    const double own = model.kind[at(model.joints.strength[at(j)])].residual_friction;
     for (const auto& side : model.mesh.joint[at(j)].corner) {
       const auto t = at(mesh::triangle_of(side[0]));
       friction[t] = set[t] != 0 ? std::min(friction[t], own) : own;

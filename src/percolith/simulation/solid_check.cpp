@@ -35,6 +35,9 @@ Resolution coarsest(const mechanics::Model& model) {
       continue;
     }
     const auto& strength = model.kind[at(model.joints.strength[at(j)])].strength;
+    if (strength.tensile_strength == 0.0) {
+      continue;
+    }
     const Index t = mesh::triangle_of(model.mesh.joint[at(j)].corner[0][0]);
     const auto& rock = model.material[at(model.triangles.material[at(t)])].rock;
     const double length = material::plane_modulus(rock, model.plane) * strength.mode_1_energy /
@@ -171,7 +174,7 @@ CheckReport solid_check(const SolidRun& run) {
   Index number = static_cast<Index>(run.setup.material.size());
   for (const std::string& name : run.fracture_names) {
     for (Index j = 0; j < model.mesh.joints(); ++j) {
-      if (model.joints.strength[at(j)] == number) {
+      if (mechanics::owner_of(model, j) == number) {
         report.fracture_length += model.mesh.joint_length(j);
         report.fracture_length_by_group[name] += model.mesh.joint_length(j);
       }

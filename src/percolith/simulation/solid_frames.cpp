@@ -174,8 +174,8 @@ CrackFrame solid_crack_frame(const SolidRun& run) {
       ends[end] = point;
     }
     frame.segments.push_back(ends);
-    // Kinds of joints are those of the materials and then those of the fractures.
-    frame.group.push_back(std::max(model.joints.strength[at(j)] - materials, mesh::none));
+    // Tables of materials are counted first, then those of the fractures.
+    frame.group.push_back(std::max(mechanics::owner_of(model, j) - materials, mesh::none));
     fields.add(run, j);
   }
   frame.cell_fields = fields.take();

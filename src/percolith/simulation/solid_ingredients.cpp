@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 
 namespace percolith::simulation {
@@ -108,15 +109,35 @@ private:
   std::vector<double> tensile_;
 };
 
+/// The kinds of joints of one fracture, one for each rock beside it.
+class FractureKinds {
+public:
+  FractureKinds(const FractureGroup& group, Index owner, std::vector<JointKind>& kinds)
+      : group_(&group), owner_(owner), kinds_(&kinds) {}
+  Index beside(Index rock) {
+    const auto [entry, is_new] = of_rock_.try_emplace(rock, static_cast<Index>(kinds_->size()));
+    if (is_new) {
+      JointKind kind = kind_of(*group_, (*kinds_)[at(rock)]);
+      kind.owner = owner_;
+      kinds_->push_back(kind);
+    }
+    return entry->second;
+  }
+
+private:
+  const FractureGroup* group_;
+  Index owner_;
+  std::vector<JointKind>* kinds_;
+  std::map<Index, Index> of_rock_;
+};
+
 void add_fractures(const Setup& setup, const mesh::Mesh& mesh, mechanics::Ingredients& result) {
   std::vector<std::uint8_t> taken(mesh.joint.size(), 0);
+  auto owner = static_cast<Index>(setup.material.size());
   for (const auto& [name, group] : setup.fracture) {
     const std::string key = "fracture." + name + ".groups";
     const std::vector<Index> joints = fracture_joints(mesh, group.groups, key);
-    const auto number = static_cast<Index>(result.kind.size());
-    const Index rock = joints.empty() ? 0 : result.joint_kind[at(joints.front())];
-    result.kind.push_back(kind_of(group, result.kind[at(rock)]));
-    result.kind.back().owner = number;
+    FractureKinds kinds(group, owner++, result.kind);
     for (const Index j : joints) {
       if (taken[at(j)] != 0) {
         const Point p = mesh.vertex[at(mesh.joint[at(j)].vertex[0])];
@@ -130,7 +151,7 @@ void add_fractures(const Setup& setup, const mesh::Mesh& mesh, mechanics::Ingred
              "each edge in one fracture table"});
       }
       taken[at(j)] = 1;
-      result.joint_kind[at(j)] = number;
+      result.joint_kind[at(j)] = kinds.beside(result.joint_kind[at(j)]);
       result.joint_state[at(j)] =
           group.bond == Bond::broken ? JointState::closed : JointState::bonded;
     }

@@ -172,7 +172,7 @@ std::vector<BreakEvent> note_events(SolidRun& run, const mechanics::Changes& cha
     event.length = b.length;
     event.released_energy = b.released;
     event.magnitude = 2.0 / 3.0 * (std::log10(b.released) - 4.8);
-    event.material = run.kind_names[at(model.kind[at(model.joints.strength[at(b.joint)])].owner)];
+    event.material = run.kind_names[at(mechanics::owner_of(model, b.joint))];
     run.broken.mode[at(b.joint)] = static_cast<std::int32_t>(b.mode);
     run.broken.time[at(b.joint)] = b.time;
     run.broken.released[at(b.joint)] = b.released;

@@ -191,9 +191,30 @@ TEST(RulesOfMechanics, ABrokenFractureHasOnlyFriction) {
   }
 }
 
+TEST(RulesOfMechanics, StrengthAndEnergyAreZeroTogether) {
+  EXPECT_EQ(mechanics_error({"material.rock.cohesion=0", "material.rock.mode_2_energy=0"}), "");
+  EXPECT_EQ(mechanics_error({vein, "fracture.vein.tensile_strength=0",
+                             "fracture.vein.mode_1_energy=0"}),
+            "");
+  EXPECT_EQ(mechanics_error({"material.rock.mode_2_energy=0"}),
+            "--set: error: material.rock.mode_2_energy = 0: out of range where cohesion is above "
+            "zero; allowed: above 0 J/m2");
+  EXPECT_THAT(mechanics_error({"material.rock.tensile_strength=0"}),
+              HasSubstr("material.rock.mode_1_energy = 10: has no effect where tensile_strength "
+                        "is zero; allowed: 0 J/m2"));
+}
+
 TEST(RulesOfMechanics, BoundsOfTheRock) {
   const std::string rock = "material.rock.";
   const std::string angle = "0 <= value < 1.5707963267948966 rad";
+  for (const std::string option : {"tensile_strength", "cohesion"}) {
+    EXPECT_EQ(mechanics_error({rock + option + "=-1"}),
+              out_of_range(rock + option, "-1", "a finite number >= 0 Pa"));
+  }
+  for (const std::string option : {"mode_1_energy", "mode_2_energy"}) {
+    EXPECT_EQ(mechanics_error({rock + option + "=inf"}),
+              out_of_range(rock + option, "inf", "a finite number >= 0 J/m2"));
+  }
   for (const std::string value : {"0", "-1", "inf"}) {
     const auto expect = [&](const std::string& option, const std::string& allowed) {
       EXPECT_EQ(mechanics_error({rock + option + "=" + value}),
@@ -202,10 +223,6 @@ TEST(RulesOfMechanics, BoundsOfTheRock) {
     expect("density", "a finite number > 0 kg/m3");
     expect("young_modulus", "a finite number > 0 Pa");
     expect("normal_young_modulus", "a finite number > 0 Pa");
-    expect("tensile_strength", "a finite number > 0 Pa");
-    expect("cohesion", "a finite number > 0 Pa");
-    expect("mode_1_energy", "a finite number > 0 J/m2");
-    expect("mode_2_energy", "a finite number > 0 J/m2");
     expect("joint_penalty", "a finite number > 0 Pa");
     expect("weibull_modulus", "a finite number > 0");
   }

@@ -65,6 +65,28 @@ TEST(Breakage, OnAStraightMixedPathTheEventTellsWhatWasSpent) {
   EXPECT_EQ(pair.energy().fracture, broke[0].released);
 }
 
+TEST(Breakage, WithoutCohesionOnlyFrictionIsLeft) {
+  const JointKind loose = test::joint_kind(3e6, 0.0, 50.0, 0.0, 0.6, 0.6);
+  const double pressed = 5e6 / JointPair::stiffness();
+  const double limit = 0.6 * 5e6 / JointPair::stiffness();
+  JointPair pair(loose, {{{0.0, 0.9 * limit}, 100}, {{0.0, 2 * limit}, 100}}, pressed);
+  EXPECT_TRUE(pair.move().broke.empty());
+  const auto broke = pair.move().broke;
+  ASSERT_EQ(broke.size(), 1u);
+  EXPECT_EQ(broke[0].mode, Mode::shear);
+  EXPECT_EQ(pair.model().joints.state[0], JointState::closed);
+  EXPECT_NEAR(std::abs(pair.joint_force().y), 0.6 * 5e6 * JointPair::length, 1.0);
+  EXPECT_LT(pair.energy().fracture, 0.02 * pair.energy().friction);
+}
+
+TEST(Breakage, WithoutTensileStrengthAnyPullOpens) {
+  JointPair pair(test::joint_kind(0.0, 6e6, 0.0, 100.0), {{{1e-9, 0.0}, 10}});
+  const auto broke = pair.move().broke;
+  ASSERT_EQ(broke.size(), 1u);
+  EXPECT_EQ(broke[0].mode, Mode::tensile);
+  EXPECT_EQ(pair.joint_force().x, 0.0);
+}
+
 TEST(Breakage, APointThatFailedEarlyCountsByHowItFailed) {
   // Point 0 failed in pure shear and then opened, point 1 fails in pure shear.
   JointPair pair(brittle, {{{0.0, JointPair::slip_at_failure(brittle)}, 10}});

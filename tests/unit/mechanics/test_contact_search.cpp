@@ -131,6 +131,25 @@ TEST(ContactSearch, OnePlatenDoesNotPutAllIntoOneCell) {
   EXPECT_LE(fullest, 100u);
 }
 
+TEST(ContactSearch, WhatWasThrownFarDoesNotMakeTheCellsCoarse) {
+  std::vector<Box> boxes;
+  for (int x = 0; x < 60; ++x) {
+    for (int y = 0; y < 60; ++y) {
+      boxes.push_back(box_of({{1.0 * x, 1.0 * y}, {}, {0.9, 0.0}, {0.0, 0.9}}, 0.05));
+    }
+  }
+  for (const Point& far : {Point{1e7, 0.0}, Point{-1e6, 1e9}}) {
+    boxes.push_back(box_of({far, {}, {0.9, 0.0}, {0.0, 0.9}}, 0.05));
+  }
+  const CellGrid grid(boxes);
+  std::size_t fullest = 0;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const auto range = grid.range_of(static_cast<Index>(i));
+    fullest = std::max(fullest, grid.cell(range.first_column, range.first_row).size());
+  }
+  EXPECT_LE(fullest, 20u);
+}
+
 TEST(ContactSearch, PlacesThatAreNoNumbersAreLeftOut) {
   const double nothing = std::numeric_limits<double>::quiet_NaN();
   const double infinite = std::numeric_limits<double>::infinity();

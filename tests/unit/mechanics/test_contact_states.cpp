@@ -160,14 +160,14 @@ struct HandedOver {
   Point normal, along;  // on triangle 1, the upper left one
   Index side = 0;       // of triangle 1
 
-  HandedOver(double depth, double normal_force, double shear) {
+  HandedOver(double depth, double normal_force, double shear, double stiffness = 0.0) {
     press(bodies, depth);
     const double half = 1.0 / std::sqrt(2.0);
     normal = {-half, half};
     along = {half, half};
     side = bodies.triangle(1) < bodies.triangle(0) ? 0 : 1;
     const double sign = side == 0 ? 1.0 : -1.0;
-    bodies.contact().hand_over(bodies.mesh(), {0, normal_force, (sign * shear) * along});
+    bodies.contact().hand_over(bodies.mesh(), {0, normal_force, (sign * shear) * along, stiffness});
     bodies.advance();
   }
 };
@@ -176,12 +176,40 @@ TEST(ContactStates, FacesCarryOnTheForceOfTheirJoint) {
   const double raw = raw_force(1e-3);
   for (const double share : {0.3, 1.0, 4.0, 0.02, -0.5}) {
     const double expected = std::max(share, 0.0) * raw;
-    HandedOver pair(1e-3, share * raw, 0.1 * expected);
+    HandedOver pair(1e-3, share * raw, 0.1 * expected, share * raw / (1e-3 * std::sqrt(2.0)));
     const Point force = pair.bodies.force(1);
     EXPECT_NEAR(dot(force, pair.normal), expected, 1e-9 * raw) << share;
     EXPECT_NEAR(dot(force, pair.along), 0.1 * expected, 1e-9 * raw) << share;
     EXPECT_NEAR(size_of(pair.bodies.force(0) + force), 0.0, 1e-14 * raw);
   }
+}
+
+TEST(ContactStates, FacesDoNotBecomeMuchStifferThanJointAndContact) {
+  const double raw = raw_force(1e-3);
+  HandedOver pair(1e-3, 4.0 * raw, 0.0);
+  EXPECT_NEAR(dot(pair.bodies.force(1), pair.normal), 1.1 * raw, 0.01 * raw);
+}
+
+TEST(ContactStates, WhatIsTakenOutLeavesItsForces) {
+  test::Bodies bodies = broken_pair();
+  bodies.advance();
+  press(bodies, 1e-3);
+  bodies.advance(1e-3, 1e-4);
+  const Point force = bodies.force(1);
+  ASSERT_GT(size_of(force), 0.0);
+  const double stored = bodies.potential_energy() + bodies.contact().stored_tangential();
+  std::vector<std::uint8_t> removed(2, 0);
+  removed[at(bodies.triangle(0))] = 1;
+  const ContactRelease left = bodies.contact().release(bodies.mesh(), bodies.motion(), removed);
+  EXPECT_NEAR(left.energy, stored, 1e-14 * stored);
+  ASSERT_EQ(left.force.size(), 3u);
+  Point sum{};
+  for (const CornerForce& f : left.force) {
+    EXPECT_EQ(mesh::triangle_of(f.corner), bodies.triangle(1));
+    sum = sum + f.force;
+  }
+  EXPECT_NEAR(size_of(sum - force), 0.0, 1e-14 * size_of(force));
+  EXPECT_EQ(bodies.potential_energy(), 0.0);
 }
 
 TEST(ContactStates, TheShearOfAJointIsHeldToCoulombsLimit) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace percolith::mechanics {
 namespace {
@@ -21,6 +22,20 @@ Index cell_number(double cell, Index cells) {
 Index cells_along(double extent, double size) {
   constexpr double most = 1 << 20;
   return static_cast<Index>(std::min(extent / size, most)) + 1;
+}
+
+/// Where most of the places lie: between their outer hundredths and as far again on both sides, but
+/// no further than they reach. What was thrown further must not make the cells of all others coarse.
+std::pair<double, double> most_of(std::vector<double>& place) {
+  const auto [least, greatest] = std::minmax_element(place.begin(), place.end());
+  const std::pair<double, double> all{*least, *greatest};
+  const auto rank = static_cast<std::ptrdiff_t>(place.size() / 100);
+  std::nth_element(place.begin(), place.begin() + rank, place.end());
+  const double low = place[static_cast<std::size_t>(rank)];
+  std::nth_element(place.begin(), place.end() - 1 - rank, place.end());
+  const double high = *(place.end() - 1 - rank);
+  const double width = high - low;
+  return {std::max(all.first, low - width), std::min(all.second, high + width)};
 }
 
 }  // namespace
@@ -72,23 +87,25 @@ bool CellGrid::too_many(double boxes) const {
 }
 
 void CellGrid::choose_cells(std::span<const Box> boxes) {
-  Box all{{farthest, farthest}, {-farthest, -farthest}};
+  std::vector<double> x;
+  std::vector<double> y;
   double sum = 0.0;
-  double count = 0.0;
   for (const Box& box : boxes) {
     if (!box.empty()) {
-      all.low = {std::min(all.low.x, box.low.x), std::min(all.low.y, box.low.y)};
-      all.high = {std::max(all.high.x, box.high.x), std::max(all.high.y, box.high.y)};
+      x.push_back(0.5 * (box.low.x + box.high.x));
+      y.push_back(0.5 * (box.low.y + box.high.y));
       sum += std::max(box.high.x - box.low.x, box.high.y - box.low.y);
-      count += 1.0;
     }
   }
   if (!(sum > 0.0)) {
     return;
   }
-  low_ = all.low;
-  const Point extent = all.high - all.low;
+  const auto count = static_cast<double>(x.size());
   double size = sum / count;
+  const auto [x_low, x_high] = most_of(x);
+  const auto [y_low, y_high] = most_of(y);
+  low_ = {x_low - size, y_low - size};
+  const Point extent{x_high + size - low_.x, y_high + size - low_.y};
   set_ranges(boxes, size, extent);
   while (too_many(count) && (columns_ > 1 || rows_ > 1)) {
     size *= 1.5;

@@ -29,7 +29,8 @@ inline bool boxes_meet(const Box& a, const Box& b) {
 class CellGrid {
 public:
   /// Cells have about the mean size of the boxes, more where a few boxes are so large or the boxes
-  /// so far apart that the grid would outgrow their number.
+  /// so far apart that the grid would outgrow their number. A few boxes far from all others count
+  /// to the border.
   explicit CellGrid(std::span<const Box> boxes);
 
   /// First and last column and row that a box meets.

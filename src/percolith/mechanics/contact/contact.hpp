@@ -10,6 +10,7 @@
 #include "percolith/mechanics/contact/pair_rows.hpp"
 #include "percolith/mechanics/contact/pair_states.hpp"
 #include "percolith/mechanics/contact/placed_triangle.hpp"
+#include "percolith/mechanics/corner_force.hpp"
 #include "percolith/mesh/mesh.hpp"
 #include "percolith/mesh/node_map.hpp"
 
@@ -46,6 +47,13 @@ struct HandOver {
   Index joint = 0;
   double normal_force = 0.0;  ///< N/m, compression positive
   Point shear_on_first;       ///< N/m, along the joint, on the triangle of side 0
+  double stiffness = 0.0;     ///< of the joint, Pa/m: contact does not become much stiffer than that
+};
+
+/// What triangles that are taken out leave behind.
+struct ContactRelease {
+  std::vector<CornerForce> force;  ///< that their contacts gave to the others
+  double energy = 0.0;             ///< stored in these contacts, J/m
 };
 
 /// Contact of triangles by the overlap potential, (4), (5), with Coulomb friction, (6), (7). Pairs
@@ -76,6 +84,11 @@ public:
   void advance(const mesh::Mesh& mesh, const CornerMotion& motion, double travelled, double dt,
                Execution& execution);
 
+  /// Ends the contacts of triangles that are about to be taken out, `removed` is 1 for these, with
+  /// the forces of the last `advance`; `topology_changed` has to follow.
+  [[nodiscard]] ContactRelease release(const mesh::Mesh& mesh, const CornerMotion& motion,
+                                       std::span<const std::uint8_t> removed);
+
   /// N/m, per corner slot; zero where `acts` is zero.
   [[nodiscard]] std::span<const double> force_x() const { return force_x_; }
   [[nodiscard]] std::span<const double> force_y() const { return force_y_; }
@@ -90,8 +103,7 @@ public:
   /// Energy of the normal forces of the last `advance` at the positions it was given, J/m: for each
   /// pair
   /// factor p (A0_a/A_a int phi_a dA + A0_b/A_b int phi_b dA), see `overlap_force`. Of a pair with
-  /// an offset only the share (1 - offset/(factor |f|))^2 counts, exact for a force that grows
-  /// with the depth.
+  /// an offset only that part counts which the force did beyond the offset, as a power of the depth.
   [[nodiscard]] double potential_energy(const mesh::Mesh& mesh, const CornerMotion& motion) const;
   /// Pairs that are looked at, and those of them that overlap.
   [[nodiscard]] Index listed_pairs() const { return states_.size(); }
@@ -111,6 +123,8 @@ private:
                                       Index triangle) const;
   [[nodiscard]] std::vector<PlacedTriangle>
   place(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution) const;
+  [[nodiscard]] double pressed_energy(const mesh::Mesh& mesh, const CornerMotion& motion,
+                                      Index pair) const;
   [[nodiscard]] Surface surface_of(const mesh::Mesh& mesh, Index triangle) const;
   void search(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution);
   void carry_over(PairStates& states, const PairRows& rows);
@@ -123,6 +137,7 @@ private:
   struct PendingHandOver {
     std::array<Index, 2> triangle;
     HandOver start;
+    double largest_factor = 1.0;
   };
 
   ContactProperties properties_;

@@ -8,6 +8,25 @@
 #include <cmath>
 
 namespace percolith::mechanics {
+namespace {
+
+/// Share of the energy `whole` (J/m) of an overlap that is left to a pair whose force is less by
+/// `offset` (N/m). As the overlap deepens its force grows with a power m of the depth, 1 where faces
+/// meet and 2 where a corner does; m + 1 is force times depth over energy. From the depth at which
+/// the force was the offset, a share r of that of now, the rest has done the work
+/// 1 + m r^(m+1) - (m+1) r^m.
+double share_beyond(const OverlapForce& overlap, double whole, double offset) {
+  const double force = std::sqrt(dot(overlap.total, overlap.total));
+  if (!(force > offset)) {
+    return 0.0;
+  }
+  const double depth = extent_along(overlap, (1.0 / force) * overlap.total);
+  const double power = std::clamp(force * depth / whole - 1.0, 1.0, 2.0);
+  const double ratio = std::pow(offset / force, 1.0 / power);
+  return 1.0 + std::pow(ratio, power) * (power * ratio - (power + 1.0));
+}
+
+}  // namespace
 
 double Contact::friction_dissipation() const {
   CompensatedSum sum = friction_dissipation_;
@@ -25,30 +44,59 @@ double Contact::stored_tangential() const {
   return sum.total();
 }
 
+double Contact::pressed_energy(const mesh::Mesh& mesh, const CornerMotion& motion,
+                               Index pair) const {
+  const auto [a, b] = states_.triangles(pair);
+  const PlacedPair now = place_pair(placed(mesh, motion, a), placed(mesh, motion, b));
+  const auto& stiffness = states_.nature[at(pair)].stiffness;
+  const std::array<double, 2> penalty{stiffness[0] / twice_area(now.first),
+                                      stiffness[1] / twice_area(now.second)};
+  const Polygon overlap = overlap_of(now.first, now.second);
+  const double whole = penalty[0] * potential_over(overlap, now.first) +
+                       penalty[1] * potential_over(overlap, now.second);
+  const PairState<double>& state = states_.state[at(pair)];
+  double share = state.factor;
+  if (state.offset > 0.0 && whole > 0.0) {
+    share *= share_beyond(overlap_force(now, penalty), whole, state.offset / state.factor);
+  }
+  return share * whole;
+}
+
 double Contact::potential_energy(const mesh::Mesh& mesh, const CornerMotion& motion) const {
   CompensatedSum sum;
   for (Index p = 0; p < states_.size(); ++p) {
-    if (states_.force[at(p)] == mesh::none) {
-      continue;
+    if (states_.force[at(p)] != mesh::none) {
+      sum += pressed_energy(mesh, motion, p);
     }
-    const auto [a, b] = states_.triangles(p);
-    const PlacedPair now = place_pair(placed(mesh, motion, a), placed(mesh, motion, b));
-    const auto& stiffness = states_.nature[at(p)].stiffness;
-    const std::array<double, 2> penalty{stiffness[0] / twice_area(now.first),
-                                        stiffness[1] / twice_area(now.second)};
-    const Polygon overlap = overlap_of(now.first, now.second);
-    const PairState<double>& state = states_.state[at(p)];
-    double share = state.factor;
-    if (state.offset > 0.0) {
-      const Point total = overlap_force(now, penalty).total;
-      const double force = state.factor * std::sqrt(dot(total, total));
-      const double left = force > 0.0 ? std::max(0.0, 1.0 - state.offset / force) : 0.0;
-      share *= left * left;
-    }
-    sum += share * (penalty[0] * potential_over(overlap, now.first) +
-                    penalty[1] * potential_over(overlap, now.second));
   }
   return sum.total();
+}
+
+ContactRelease Contact::release(const mesh::Mesh& mesh, const CornerMotion& motion,
+                                std::span<const std::uint8_t> removed) {
+  ContactRelease result;
+  CompensatedSum energy;
+  for (Index p = 0; p < states_.size(); ++p) {
+    const auto triangle = states_.triangles(p);
+    const std::array<bool, 2> goes{removed[at(triangle[0])] != 0, removed[at(triangle[1])] != 0};
+    Index& place = states_.force[at(p)];
+    if (place == mesh::none || (!goes[0] && !goes[1])) {
+      continue;
+    }
+    for (Index side = 0; side < 2; ++side) {
+      const double* force = forces_.front().value.data() + place + side * PairForceBlock::side;
+      for (Index k = 0; k < 3 && !goes[at(side)]; ++k) {
+        result.force.push_back({mesh::corner_of(triangle[at(side)], k),
+                                {force[k * block_width], force[(3 + k) * block_width]}});
+      }
+    }
+    PairState<double>& state = states_.state[at(p)];
+    energy += pressed_energy(mesh, motion, p) + state.stored;
+    state.stored = 0.0;
+    place = mesh::none;
+  }
+  result.energy = energy.total();
+  return result;
 }
 
 Index Contact::touching_pairs() const {

@@ -9,9 +9,8 @@
 namespace percolith::mechanics {
 namespace {
 
-// A joint may be so much stiffer or softer than the overlap; the rest of the difference is an
-// offset, so that faces given up under tension still resist what comes later.
-constexpr double largest_factor = 10.0;
+// A joint may be so much softer than the overlap; the rest of the difference is an offset, so that
+// faces given up under tension still resist what comes later.
 constexpr double smallest_factor = 0.1;
 
 // Both triangles of a pair may use up the gap between them; less for round-off.
@@ -20,7 +19,7 @@ constexpr double gap_share = 0.499;
 void take_over(const PairHandOver& handed, double raw, const Point& along,
                PairState<double>& state) {
   const double joint_force = std::max(0.0, handed.normal_force);
-  state.factor = raw > 0.0 ? std::clamp(joint_force / raw, smallest_factor, largest_factor) : 1.0;
+  state.factor = raw > 0.0 ? std::clamp(joint_force / raw, smallest_factor, handed.largest_factor) : 1.0;
   state.offset = std::max(0.0, state.factor * raw - joint_force);
   state.tangential = dot(handed.shear, along);
 }

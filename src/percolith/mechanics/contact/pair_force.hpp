@@ -17,6 +17,7 @@ struct PairHandOver {
   Index pair = 0;
   double normal_force = 0.0;  ///< N/m, compression positive
   Point shear;                ///< N/m, on the first triangle
+  double largest_factor = 1.0;
 };
 
 /// Displacements (m) and velocities (m/s) of the corners, one entry a corner slot.
