@@ -110,8 +110,7 @@ PERCOLITH_DEVICE Real friction_of(const JointConstants<Real>& c, Real opening, R
                                   const JointMemory<Real>& memory) {
   const Real friction = frictional_strength(c, c.stiffness * opening);
   const Real slip_at_peak = (c.cohesion + friction) / c.stiffness;
-  const Real share =
-      friction / larger(larger(memory.slip_peak, slip_at_peak), Real(1e-300)) * slip;
+  const Real share = friction / larger(larger(memory.slip_peak, slip_at_peak), Real(1e-300)) * slip;
   return select(memory.damage > Real(0.0), share, Real(0.0));
 }
 

@@ -106,8 +106,8 @@ Joints make_joints(const mesh::Mesh& mesh, const Ingredients& from) {
     joints.opening_peak[g].assign(n, 0.0);
     joints.slip_peak[g].assign(n, 0.0);
     joints.damage[g].assign(n, 0.0);
-    for (auto* past : {&joints.past.opening, &joints.past.slip, &joints.past.normal,
-                       &joints.past.shear}) {
+    for (auto* past :
+         {&joints.past.opening, &joints.past.slip, &joints.past.normal, &joints.past.shear}) {
       (*past)[g].assign(n, 0.0);
     }
   }

@@ -149,7 +149,8 @@ void Dynamics::renew_contact(const Changes& changes) {
   contact_.topology_changed(model_.mesh, {candidate_, &model_.fans, faces_touch_}, changed);
   for (const ClosedJointEnd& end : changes.parted) {
     if (end.normal_force > 0.0) {
-      contact_.hand_over(model_.mesh, {end.joint, end.normal_force, end.shear_on_first, end.stiffness});
+      contact_.hand_over(model_.mesh,
+                         {end.joint, end.normal_force, end.shear_on_first, end.stiffness});
     }
   }
 }

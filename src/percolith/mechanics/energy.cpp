@@ -35,9 +35,9 @@ double stored_in_joints(const Model& model, const JointTable& table, const Execu
     const JointPoints points = joint_points(model, table, j, back);
     double stored = 0.0;
     for (std::size_t g = 0; g < 2; ++g) {
-      stored += material::stored_energy(points.traction[g], points.opening[g], points.slip[g],
-                                        model.joints.stiffness[at(j)],
-                                        model.joints.damage[g][at(j)]);
+      stored +=
+          material::stored_energy(points.traction[g], points.opening[g], points.slip[g],
+                                  model.joints.stiffness[at(j)], model.joints.damage[g][at(j)]);
     }
     return 0.5 * model.mesh.joint_length(j) * stored;
   });
@@ -59,8 +59,7 @@ EnergyBalance energy_balance(const Model& model, const JointTable& table, const 
   const auto over_joints = [&](const std::vector<double>& value) {
     return execution.sum(model.mesh.joints(), [&](Index j) { return value[at(j)]; });
   };
-  b.friction =
-      contact.friction + e.closed_friction.total() + over_joints(model.joints.past.rubbed);
+  b.friction = contact.friction + e.closed_friction.total() + over_joints(model.joints.past.rubbed);
   b.fracture = over_joints(model.joints.past.spent);
   b.contact = contact.stored;
   b.residual =

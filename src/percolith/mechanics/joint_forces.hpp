@@ -166,8 +166,8 @@ private:
     const Real slid = slip - slip_before;
     const Real work = Real(0.5) * ((before.normal + now.normal) * (opening - opening_before) +
                                    (before.shear + now.shear) * slid);
-    const Real stored_before = material::stored_energy(before, opening_before, slip_before,
-                                                       c.stiffness, damage_before);
+    const Real stored_before =
+        material::stored_energy(before, opening_before, slip_before, c.stiffness, damage_before);
     const Real stored = material::stored_energy(now, opening, slip, c.stiffness, memory.damage);
     const Real friction = slid * material::friction_of(c, opening, slip, memory);
     return {work - (stored - stored_before) - friction, friction};

@@ -53,8 +53,8 @@ struct Triangles {
 struct JointPast {
   std::array<std::vector<double>, 2> opening, slip;  ///< in the last step, m, [point]
   std::array<std::vector<double>, 2> normal, shear;  ///< traction in the last step, Pa, [point]
-  std::vector<double> spent;   ///< by the bond, friction not included, J/m
-  std::vector<double> rubbed;  ///< by friction while the bond softened, J/m
+  std::vector<double> spent;                         ///< by the bond, friction not included, J/m
+  std::vector<double> rubbed;                        ///< by friction while the bond softened, J/m
 };
 
 /// Joints, bonded or not: a joint that is not bonded has stiffness 0 and so carries nothing.

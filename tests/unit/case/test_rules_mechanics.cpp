@@ -193,9 +193,9 @@ TEST(RulesOfMechanics, ABrokenFractureHasOnlyFriction) {
 
 TEST(RulesOfMechanics, StrengthAndEnergyAreZeroTogether) {
   EXPECT_EQ(mechanics_error({"material.rock.cohesion=0", "material.rock.mode_2_energy=0"}), "");
-  EXPECT_EQ(mechanics_error({vein, "fracture.vein.tensile_strength=0",
-                             "fracture.vein.mode_1_energy=0"}),
-            "");
+  EXPECT_EQ(
+      mechanics_error({vein, "fracture.vein.tensile_strength=0", "fracture.vein.mode_1_energy=0"}),
+      "");
   EXPECT_EQ(mechanics_error({"material.rock.mode_2_energy=0"}),
             "--set: error: material.rock.mode_2_energy = 0: out of range where cohesion is above "
             "zero; allowed: above 0 J/m2");

@@ -175,8 +175,7 @@ TEST(JointLaw, UnloadingFollowsTheSecant) {
     EXPECT_NEAR(point.memory.damage, 0.3, 1e-12);
   }
   const JointTraction<double> pulled{traction, 0.0};
-  EXPECT_NEAR(stored_energy(pulled, far, 0.0, stiffness, 0.3), 0.5 * traction * far,
-              1e-12);
+  EXPECT_NEAR(stored_energy(pulled, far, 0.0, stiffness, 0.3), 0.5 * traction * far, 1e-12);
 }
 
 TEST(JointLaw, ClosingADamagedPointFindsTheFullStiffness) {

@@ -60,8 +60,7 @@ TEST(Breakage, OnAStraightMixedPathTheEventTellsWhatWasSpent) {
   EXPECT_EQ(broke[0].mode, Mode::mixed);
   const double before =
       0.5 * (std::pow(3e6, 2) + std::pow(6e6, 2)) / JointPair::stiffness() * JointPair::length;
-  EXPECT_NEAR(broke[0].released, std::sqrt(0.5) * 150.0 * JointPair::length + before,
-              1e-3 * 150.0);
+  EXPECT_NEAR(broke[0].released, std::sqrt(0.5) * 150.0 * JointPair::length + before, 1e-3 * 150.0);
   EXPECT_EQ(pair.energy().fracture, broke[0].released);
 }
 

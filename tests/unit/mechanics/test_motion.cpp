@@ -203,6 +203,23 @@ TEST(Motion, LocalDampingTakesAShareOfTheUnbalancedForce) {
   }
 }
 
+TEST(Motion, LocalDampingLeavesAloneWhatASupportTakes) {
+  // Gravity presses on rollers and pushes nothing along them: a glide is not slowed down.
+  Model model = test::make_solid(test::make_grid({.columns = 1, .rows = 1}),
+                                 {.gravity = 10.0, .damping = {.local = 0.8}});
+  test::set_velocity(model, [](Point) { return Point{2.0, 0.0}; });
+  std::vector<Held> held;
+  test::hold_where(
+      model, [](Point) { return true; }, {0.0, 1.0}, 0, held);
+  SupportSet supports(model, {{"floor", PrescribedMotion::Kind::velocity, Schedule{}}}, held);
+  Dynamics dynamics = test::make_dynamics(std::move(model), {}, std::move(supports));
+  test::advance(dynamics, 1e-6, 50);
+  test::for_each_corner(dynamics.model().mesh, [&](Index, Index c) {
+    EXPECT_NEAR(dynamics.model().motion.vx[at(c)], 2.0, 1e-12);
+  });
+  EXPECT_EQ(dynamics.energy(Execution()).damping, 0.0);
+}
+
 TEST(Motion, ARemovedOrHeldCornerDoesNotCountAsUnbalanced) {
   Model model = test::make_solid(test::make_grid({.columns = 1, .rows = 1}), {.gravity = 10.0});
   std::vector<Held> held;

@@ -25,7 +25,8 @@ Index cells_along(double extent, double size) {
 }
 
 /// Where most of the places lie: between their outer hundredths and as far again on both sides, but
-/// no further than they reach. What was thrown further must not make the cells of all others coarse.
+/// no further than they reach. What was thrown further must not make the cells of all others
+/// coarse.
 std::pair<double, double> most_of(std::vector<double>& place) {
   const auto [least, greatest] = std::minmax_element(place.begin(), place.end());
   const std::pair<double, double> all{*least, *greatest};

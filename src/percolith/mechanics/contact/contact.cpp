@@ -170,8 +170,8 @@ void Contact::hand_over(const mesh::Mesh& mesh, const HandOver& start) {
   const Index b = mesh::triangle_of(sides[1][0]);
   // Two faces that overlap by d press with 3 p d (1/height_a + 1/height_b) per area.
   const double penalty = in_series(properties_.penalty[at(a)], properties_.penalty[at(b)]);
-  const double slope = 1.5 * penalty * mesh.joint_length(start.joint) *
-                       (1.0 / mesh.area(a) + 1.0 / mesh.area(b));
+  const double slope =
+      1.5 * penalty * mesh.joint_length(start.joint) * (1.0 / mesh.area(a) + 1.0 / mesh.area(b));
   pending_.push_back({{a, b}, start, play * std::max(1.0, start.stiffness / slope)});
 }
 
@@ -180,8 +180,8 @@ void Contact::apply_hand_overs() {
   for (const PendingHandOver& pending : pending_) {
     const Index p = rows_.find(states_, pending.triangle[0], pending.triangle[1]);
     if (p != mesh::none) {
-      handed_.push_back({p, pending.start.normal_force, pending.start.shear_on_first,
-                         pending.largest_factor});
+      handed_.push_back(
+          {p, pending.start.normal_force, pending.start.shear_on_first, pending.largest_factor});
       states_.start[at(p)] = PairStart::handed;
       states_.rest[at(p)] = 0.0;
       starts_ = true;

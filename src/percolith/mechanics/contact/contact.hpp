@@ -47,7 +47,7 @@ struct HandOver {
   Index joint = 0;
   double normal_force = 0.0;  ///< N/m, compression positive
   Point shear_on_first;       ///< N/m, along the joint, on the triangle of side 0
-  double stiffness = 0.0;     ///< of the joint, Pa/m: contact does not become much stiffer than that
+  double stiffness = 0.0;  ///< of the joint, Pa/m: contact does not become much stiffer than that
 };
 
 /// What triangles that are taken out leave behind.
@@ -103,7 +103,8 @@ public:
   /// Energy of the normal forces of the last `advance` at the positions it was given, J/m: for each
   /// pair
   /// factor p (A0_a/A_a int phi_a dA + A0_b/A_b int phi_b dA), see `overlap_force`. Of a pair with
-  /// an offset only that part counts which the force did beyond the offset, as a power of the depth.
+  /// an offset only that part counts which the force did beyond the offset, as a power of the
+  /// depth.
   [[nodiscard]] double potential_energy(const mesh::Mesh& mesh, const CornerMotion& motion) const;
   /// Pairs that are looked at, and those of them that overlap.
   [[nodiscard]] Index listed_pairs() const { return states_.size(); }

@@ -11,10 +11,10 @@ namespace percolith::mechanics {
 namespace {
 
 /// Share of the energy `whole` (J/m) of an overlap that is left to a pair whose force is less by
-/// `offset` (N/m). As the overlap deepens its force grows with a power m of the depth, 1 where faces
-/// meet and 2 where a corner does; m + 1 is force times depth over energy. From the depth at which
-/// the force was the offset, a share r of that of now, the rest has done the work
-/// 1 + m r^(m+1) - (m+1) r^m.
+/// `offset` (N/m). As the overlap deepens its force grows with a power m of the depth, 1 where
+/// faces meet and 2 where a corner does; m + 1 is force times depth over energy. From the depth at
+/// which the force was the offset, a share r of that of now, the rest has done the work 1 + m
+/// r^(m+1) - (m+1) r^m.
 double share_beyond(const OverlapForce& overlap, double whole, double offset) {
   const double force = std::sqrt(dot(overlap.total, overlap.total));
   if (!(force > offset)) {

@@ -19,7 +19,8 @@ constexpr double gap_share = 0.499;
 void take_over(const PairHandOver& handed, double raw, const Point& along,
                PairState<double>& state) {
   const double joint_force = std::max(0.0, handed.normal_force);
-  state.factor = raw > 0.0 ? std::clamp(joint_force / raw, smallest_factor, handed.largest_factor) : 1.0;
+  state.factor =
+      raw > 0.0 ? std::clamp(joint_force / raw, smallest_factor, handed.largest_factor) : 1.0;
   state.offset = std::max(0.0, state.factor * raw - joint_force);
   state.tangential = dot(handed.shear, along);
 }

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/simulation/solid_build.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "unit/support/grid.hpp"
+#include "unit/support/places.hpp"
+#include "unit/support/solid_setup.hpp"
+
+namespace percolith::simulation {
+namespace {
+
+/// A grid whose left half is a rock of its own, with a fracture across both along y = 1/2.
+mesh::Mesh two_rocks() {
+  mesh::GmshMesh file = test::make_grid({.columns = 8, .rows = 8});
+  const auto other = static_cast<std::int32_t>(file.regions.size());
+  file.regions.push_back("clay");
+  for (std::size_t t = 0; t < file.triangles.size(); ++t) {
+    double x = 0.0;
+    for (const auto p : file.triangles[t]) {
+      x += file.points[static_cast<std::size_t>(p)].x / 3.0;
+    }
+    file.triangle_region[t] = x < 0.5 ? other : file.triangle_region[t];
+  }
+  auto& curve = file.curves["fault"];
+  for (const auto& t : file.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto a = t[k];
+      const auto b = t[(k + 1) % 3];
+      const auto y = [&](auto p) { return file.points[static_cast<std::size_t>(p)].y; };
+      if (a < b && y(a) == 0.5 && y(b) == 0.5) {
+        curve.push_back({a, b});
+      }
+    }
+  }
+  return mesh::build_mesh(file);
+}
+
+TEST(SolidIngredients, AFractureTakesItsFrictionFromEachRockBesideIt) {
+  simulation::Setup setup = test::solid_setup();
+  Material clay = setup.material["sandstone"];
+  clay.regions = {"clay"};
+  clay.strength.friction_angle = 0.2;
+  setup.material["clay"] = clay;
+  setup.fracture["fault"].groups = {"fault"};
+  const mesh::Mesh mesh = two_rocks();
+  const mechanics::Ingredients from = solid_ingredients(setup, mesh);
+  std::set<double> frictions;
+  for (const mesh::Index j : mesh.curves.at("fault").joints) {
+    const mechanics::JointKind& kind =
+        from.kind[static_cast<std::size_t>(from.joint_kind[static_cast<std::size_t>(j)])];
+    const auto& ends = mesh.joint[static_cast<std::size_t>(j)].vertex;
+    const double x = 0.5 * (mesh.vertex[static_cast<std::size_t>(ends[0])].x +
+                            mesh.vertex[static_cast<std::size_t>(ends[1])].x);
+    EXPECT_EQ(kind.residual_friction, std::tan(x < 0.5 ? 0.2 : 0.6)) << x;
+    // Tables are counted as the materials and then the fractures.
+    EXPECT_EQ(kind.owner, 2);
+    frictions.insert(kind.residual_friction);
+  }
+  EXPECT_EQ(frictions.size(), 2u);
+}
+
+}  // namespace
+}  // namespace percolith::simulation
