@@ -44,6 +44,26 @@ def time_scale(values) -> Scale:
     return _largest_below(_TIME, size)
 
 
+def _prefixed(values, unit: str, prefixes: list[tuple[float, str]]) -> Scale:
+    size = float(np.max(np.abs(values), initial=0.0))
+    if size == 0 or not np.isfinite(size):
+        return Scale(1.0, unit)
+    return _largest_below([(factor, prefix + unit) for factor, prefix in prefixes], size)
+
+
+def length_scale(values) -> Scale:
+    """Nanometres to metres, by the largest value: 0.2 m, but 20 mm."""
+    size = float(np.max(np.abs(values), initial=0.0))
+    if size >= 0.1:
+        return Scale(1.0, "m")
+    return _prefixed(values, "m", [(1e-3, "m"), (1e-6, "µ"), (1e-9, "n")])
+
+
+def force_scale(values) -> Scale:
+    """N/m to MN/m, by the largest value: forces per metre of thickness."""
+    return _prefixed(values, "N/m", [(1e6, "M"), (1e3, "k"), (1.0, "")])
+
+
 def power_scale(values, unit: str) -> Scale:
     """A power of ten times `unit`, for quantities without a usual prefix."""
     size = float(np.max(np.abs(values), initial=0.0))

@@ -8,8 +8,9 @@ from percolith import RunDirectory, plot
 from percolith.b_value import BIN_WIDTH, b_value
 from percolith.colours import distinct_colour
 from percolith.deformation import automatic_scale, crack_faces, deformed_points
+from percolith.mechanics_fields import fragment_count
 from percolith.mechanics_history import load_curves
-from percolith.mechanics_picture import MODES, draw_mechanics, fragment_count
+from percolith.mechanics_picture import MODES, draw_mechanics
 from synthetic_run import HEIGHT, write_mechanics_run
 
 
@@ -86,17 +87,18 @@ def test_the_deformed_shape_is_the_model_plus_the_scaled_displacements(directory
 
 def test_crack_faces_are_the_two_edges_of_triangles_on_each_segment(directory):
     frame = RunDirectory(directory).frame()
-    faces, segment = crack_faces(frame)
+    faces, segment, triangle = crack_faces(frame)
     assert np.array_equal(np.bincount(segment), np.full(len(frame.cracks.cells), 2))
     on_face = np.sort(frame.matrix.points[faces].reshape(-1, 4), axis=1)
     on_crack = np.sort(frame.cracks.points[frame.cracks.cells].reshape(-1, 4), axis=1)
     assert on_face == pytest.approx(on_crack[segment])
+    assert all(set(face) < set(cell) for face, cell in zip(faces, frame.matrix.cells[triangle]))
     assert len(np.unique(faces)) > len(np.unique(frame.matrix.points[faces].reshape(-1, 2), axis=0))
 
 
 def test_no_cracks_have_no_faces(directory):
-    faces, segment = crack_faces(RunDirectory(directory).frame(0.0))
-    assert len(faces) == len(segment) == 0
+    faces, segment, triangle = crack_faces(RunDirectory(directory).frame(0.0))
+    assert len(faces) == len(segment) == len(triangle) == 0
 
 
 def test_damage_shows_every_mode_in_its_colour(directory, tmp_path):
@@ -187,7 +189,7 @@ def test_scales_that_mean_nothing(directory, scale, capsys):
 
 def test_a_field_that_the_files_lack_is_named(tmp_path, capsys):
     directory = write_mechanics_run(tmp_path / "results")
-    for file in directory.glob("fields/matrix_*.vtu"):
+    for file in directory.glob("fields/cracks_*.vtu"):
         file.write_bytes(file.read_bytes().replace(b'"damage"', b'"demage"'))
     assert plot.main([str(directory), "--field", "damage"]) == 2
     assert "no damage in the field files of this run" in capsys.readouterr().err
