@@ -50,7 +50,7 @@ def _outline(run: RunDirectory) -> np.ndarray:
     return places[single[count == 1]]
 
 
-def _window(outline: np.ndarray, places: np.ndarray) -> np.ndarray:
+def shown_window(outline: np.ndarray, places: np.ndarray) -> np.ndarray:
     """Lower left and upper right end (2, 2) of what is shown: the model, or, where the events fill
     but a small part of it, their surroundings."""
     low, high = outline.min(axis=(0, 1)), outline.max(axis=(0, 1))
@@ -69,7 +69,7 @@ def _draw_places(axes, run: RunDirectory, events: Table) -> None:
         outline = _outline(run)
         axes.add_collection(LineCollection(outline, colors="#808080", linewidths=0.8),
                             autolim=False)
-        ends = _window(outline, np.stack([events["x_m"], events["y_m"]], axis=1))
+        ends = shown_window(outline, np.stack([events["x_m"], events["y_m"]], axis=1))
         axes.set_xlim(ends[:, 0])
         axes.set_ylim(ends[:, 1])
     axes.set_aspect("equal", adjustable="box")

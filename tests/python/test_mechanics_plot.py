@@ -9,7 +9,7 @@ from percolith import RunDirectory, mechanics_history, plot
 from percolith.b_value import BIN_WIDTH, b_value, reason_for_none
 from percolith.colours import distinct_colour
 from percolith.deformation import automatic_scale, crack_faces, deformed_points
-from percolith.event_picture import draw_events
+from percolith.event_picture import draw_events, shown_window
 from percolith.mechanics_fields import fragment_count
 from percolith.mechanics_history import LoadCurve, load_curves
 from percolith.mechanics_picture import MODES, draw_mechanics
@@ -247,6 +247,15 @@ def test_the_picture_of_events_says_why_it_has_no_b_value(tmp_path, monkeypatch)
         run = RunDirectory(write_mechanics_run(tmp_path / f"{count}", events=count))
         assert draw_events(run, tmp_path / "events.png").is_file()
     assert notes == ["no b-value: fewer than 50 events above the fullest bin"]
+
+
+def test_the_places_of_events_fill_their_panel():
+    outline = np.array([[[0.0, 0.0], [20.0, 0.0]], [[20.0, 0.0], [20.0, 10.0]]])
+    whole = shown_window(outline, np.array([[1.0, 1.0], [15.0, 9.0]]))
+    assert whole == pytest.approx(np.array([[-0.6, -0.6], [20.6, 10.6]]))
+    assert shown_window(outline, np.array([[5.0, 5.0]])) == pytest.approx(whole)
+    near = shown_window(outline, np.array([[0.0, 4.0], [2.0, 6.0]]))
+    assert near == pytest.approx(np.array([[-0.6, 2.4], [3.6, 7.6]]))
 
 
 def test_curves_on_the_zero_line_are_not_drawn(directory, monkeypatch):
