@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-MINIMUM_COUNT = 20
+MINIMUM_COUNT = 50  # events from M_min on
+MINIMUM_SPAN = 5  # bins from M_min to the largest magnitude
 BIN_WIDTH = 0.1  # of magnitudes, dM
 
 
@@ -26,17 +27,34 @@ class BValue:
         return self.count * 10.0 ** (-self.value * (magnitude - self.smallest + 0.5 * BIN_WIDTH))
 
 
+def complete_bins(magnitudes: np.ndarray) -> np.ndarray:
+    """The numbers of the bins, ascending, of the events in the fullest bin and above. Below it the
+    mesh, which has no smaller joints, leaves events out."""
+    finite = magnitudes[np.isfinite(magnitudes)]
+    bins = np.sort(np.floor(finite / BIN_WIDTH + 0.5).astype(np.int64))
+    if not len(bins):
+        return bins
+    numbers, counts = np.unique(bins, return_counts=True)
+    return bins[bins >= numbers[np.argmax(counts)]]
+
+
+def reason_for_none(magnitudes: np.ndarray) -> str:
+    """Why these events have no b-value; empty where they have one."""
+    bins = complete_bins(magnitudes)
+    if len(bins) < MINIMUM_COUNT:
+        return f"fewer than {MINIMUM_COUNT} events above the fullest bin"
+    if bins[-1] - bins[0] < MINIMUM_SPAN:
+        return f"magnitudes above the fullest bin span less than {MINIMUM_SPAN * BIN_WIDTH:g}"
+    return ""
+
+
 def b_value(magnitudes: np.ndarray) -> BValue | None:
     """Maximum likelihood (Aki 1965, for bins Utsu 1966): b = log10(e)/(mean(M) - M_min + dM/2) over
-    the events in the fullest bin and above; below it the mesh, which has no smaller joints, leaves
-    events out. Standard error b/sqrt(n). None with fewer than 20 events."""
-    finite = magnitudes[np.isfinite(magnitudes)]
-    if len(finite) < MINIMUM_COUNT:
+    the events of `complete_bins`. Standard error b/sqrt(n). None where these are too few, or too
+    much alike, for a slope to mean anything."""
+    if reason_for_none(magnitudes):
         return None
-    bins = np.floor(finite / BIN_WIDTH + 0.5).astype(np.int64)
-    numbers, counts = np.unique(bins, return_counts=True)
-    first = numbers[np.argmax(counts)]
-    chosen = bins[bins >= first]
-    value = np.log10(np.e) / (BIN_WIDTH * (chosen.mean() - first + 0.5))
-    return BValue(float(value), float(value / np.sqrt(len(chosen))), float(first * BIN_WIDTH),
-                  len(chosen))
+    bins = complete_bins(magnitudes)
+    value = np.log10(np.e) / (BIN_WIDTH * (bins.mean() - bins[0] + 0.5))
+    return BValue(float(value), float(value / np.sqrt(len(bins))), float(bins[0] * BIN_WIDTH),
+                  len(bins))

@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where a deformed model lies: its points moved by their displacements times a factor."""
+"""Where a deformed model lies: its points moved by their displacements times a factor. Which
+edges of its triangles lie on cracks, and what damage the cracks do them."""
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 import numpy as np
 
 from percolith.run_directory import Frame
 from percolith.vtu import Grid
 
+FROM_THE_START = 0  # of the field `mode`: a fracture that never was bonded
 _VISIBLE = 0.03  # of the model's extent: the largest displacement of a picture made to be seen
 
 
@@ -37,22 +41,44 @@ def deformed_points(matrix: Grid, scale: float) -> np.ndarray:
     return matrix.points + scale * displacement(matrix)
 
 
-def crack_faces(frame: Frame) -> tuple[np.ndarray, np.ndarray]:
-    """The edges of triangles that lie on a crack when undeformed: indices (n, 2) of their matrix
-    points, and the crack segment (n,) each belongs to. Most segments have two, one a face."""
+class CrackFaces(NamedTuple):
+    """Edges of triangles that lie on cracks."""
+
+    points: np.ndarray  # indices (n, 2) of matrix points
+    segment: np.ndarray  # crack segment (n,) that each belongs to
+    triangle: np.ndarray  # (n,) that each is an edge of
+
+
+def crack_faces(frame: Frame) -> CrackFaces:
+    """The edges of triangles that lie on a crack when undeformed. Most segments have two, one a
+    face."""
     matrix, cracks = frame.matrix, frame.cracks
     if cracks is None or not len(cracks.cells):
-        return np.empty((0, 2), int), np.empty(0, int)
+        none = np.empty(0, int)
+        return CrackFaces(np.empty((0, 2), int), none, none)
     both = np.concatenate([matrix.points, cracks.points])
     _, place = np.unique(both, axis=0, return_inverse=True)
     place = place.ravel()
     edges = np.concatenate([matrix.cells[:, pair] for pair in ([0, 1], [1, 2], [2, 0])])
     edge_key = _pair_keys(place[edges], len(both))
     segment_key = _pair_keys(place[len(matrix.points):][cracks.cells], len(both))
-    chosen = np.isin(edge_key, segment_key)
+    chosen = np.flatnonzero(np.isin(edge_key, segment_key))
     order = np.argsort(segment_key, kind="stable")
     found = np.searchsorted(segment_key[order], edge_key[chosen])
-    return edges[chosen], order[found]
+    return CrackFaces(edges[chosen], order[found], chosen % len(matrix.cells))
+
+
+def damage_since_the_start(frame: Frame) -> np.ndarray:
+    """The largest damage (n,) of the joints of each triangle that were bonded at the start. The
+    field `damage` also counts fractures that were open from the start and walls laid free by an
+    excavation, where the rock may be sound."""
+    damage = np.zeros(len(frame.matrix.cells))
+    faces = crack_faces(frame)
+    if len(faces.segment):
+        data = frame.cracks.cell_data
+        of_cracks = np.where(data["mode"] == FROM_THE_START, 0.0, data["damage"])
+        np.maximum.at(damage, faces.triangle, of_cracks[faces.segment])
+    return damage
 
 
 def _pair_keys(pairs: np.ndarray, count: int) -> np.ndarray:

@@ -9,12 +9,14 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection
 
-from percolith.b_value import b_value
+from percolith.b_value import BValue, b_value, reason_for_none
 from percolith.colours import BLACK, BLUE, GREEN, RED
 from percolith.run_directory import RunDirectory, Table
-from percolith.units import power_scale, time_scale
+from percolith.units import prefix_scale, time_scale
 
 _MODES = {"tensile": (BLUE, "o"), "shear": (RED, "^"), "mixed": (GREEN, "s")}
+_SMALLER = 0.4  # of the area of markers, where they lie side by side along a crack
+_SMALL = 0.3  # of the extent of the model
 _MINUS = "\N{MINUS SIGN}"
 
 
@@ -27,8 +29,8 @@ def _sizes(magnitude: np.ndarray) -> np.ndarray:
     return 12.0 + 68.0 * share**2
 
 
-def _scatter(axes, events: Table, x: np.ndarray, y: np.ndarray) -> None:
-    sizes = _sizes(events["magnitude"])
+def _scatter(axes, events: Table, x: np.ndarray, y: np.ndarray, share: float = 1.0) -> None:
+    sizes = share * _sizes(events["magnitude"])
     for mode, (colour, marker) in _MODES.items():
         chosen = events["mode"] == mode
         if chosen.any():
@@ -48,10 +50,28 @@ def _outline(run: RunDirectory) -> np.ndarray:
     return places[single[count == 1]]
 
 
+def shown_window(outline: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """Lower left and upper right end (2, 2) of what is shown: the model, or, where the events fill
+    but a small part of it, their surroundings."""
+    low, high = outline.min(axis=(0, 1)), outline.max(axis=(0, 1))
+    margin = 0.03 * (high - low).max()
+    first, last = places.min(axis=0), places.max(axis=0)
+    extent = (last - first).max()
+    if len(places) > 1 and 0.0 < extent < _SMALL * (high - low).max():
+        middle = 0.5 * (first + last)
+        low, high = np.maximum(low, middle - extent), np.minimum(high, middle + extent)
+    return np.stack([low - margin, high + margin])
+
+
 def _draw_places(axes, run: RunDirectory, events: Table) -> None:
+    _scatter(axes, events, events["x_m"], events["y_m"], _SMALLER)
     if run.times:
-        axes.add_collection(LineCollection(_outline(run), colors="#808080", linewidths=0.8))
-    _scatter(axes, events, events["x_m"], events["y_m"])
+        outline = _outline(run)
+        axes.add_collection(LineCollection(outline, colors="#808080", linewidths=0.8),
+                            autolim=False)
+        ends = shown_window(outline, np.stack([events["x_m"], events["y_m"]], axis=1))
+        axes.set_xlim(ends[:, 0])
+        axes.set_ylim(ends[:, 1])
     axes.set_aspect("equal", adjustable="box")
     axes.set_xlabel("x (m)")
     axes.set_ylabel("y (m)")
@@ -59,38 +79,46 @@ def _draw_places(axes, run: RunDirectory, events: Table) -> None:
 
 def _draw_energy(axes, events: Table, time) -> None:
     released = np.cumsum(events["released_energy_J_per_m"])
-    scale = power_scale(released, "J/m")
+    scale = prefix_scale(released, "J/m")
     axes.step(events["time_s"] / time.factor, released / scale.factor, where="post", color=BLACK)
     axes.set_ylim(bottom=0)
     axes.set_xlabel(time.label("Time"))
     axes.set_ylabel(scale.label("Released energy, summed"))
 
 
-def _draw_b_value(axes, events: Table) -> None:
-    magnitude = np.sort(events["magnitude"][np.isfinite(events["magnitude"])])
-    fit = b_value(magnitude)
-    axes.set_visible(fit is not None)
-    if fit is None:
-        return
-    axes.plot(magnitude, np.arange(len(magnitude), 0, -1), linestyle="none", marker="o",
-              markersize=3.5, color=BLUE, label="events")
-    ends = np.array([fit.smallest, max(magnitude[-1], fit.smallest + 0.1)])
+def _draw_fit(axes, fit: BValue, largest: float) -> None:
+    ends = np.array([fit.smallest, max(largest, fit.smallest + 0.1)])
     label = f"b = {fit.value:.2f} ± {fit.error:.2f} from M = {fit.smallest:.1f} on".replace(
         "= -", f"= {_MINUS}")
     axes.plot(ends, fit.number_above(ends), color=RED, linewidth=1.6,
               label=f"{label} ({fit.count} events)")
+
+
+def _draw_numbers(axes, events: Table) -> None:
+    """Numbers over the magnitude, with the b-value or the reason why there is none."""
+    magnitude = np.sort(events["magnitude"][np.isfinite(events["magnitude"])])
+    axes.set_visible(len(magnitude) > 0)
+    if not len(magnitude):
+        return
+    axes.plot(magnitude, np.arange(len(magnitude), 0, -1), linestyle="none", marker="o",
+              markersize=3.5, color=BLUE, label="events")
     axes.set_yscale("log")
+    fit = b_value(magnitude)
+    if fit is None:
+        axes.set_title(f"no b-value: {reason_for_none(magnitude)}", fontsize="small", loc="left")
+    else:
+        _draw_fit(axes, fit, magnitude[-1])
+        axes.legend(fontsize="small", frameon=False, loc="lower left", bbox_to_anchor=(0.0, 1.0),
+                    borderpad=0.0, ncols=2)
     axes.set_ylim(bottom=0.7)
     axes.set_xlabel("Magnitude M")
     axes.set_ylabel("Number of events of M or more")
-    axes.legend(fontsize="small", frameon=False, loc="lower left", bbox_to_anchor=(0.0, 1.0),
-                borderpad=0.0, ncols=2)
 
 
 def draw_events(run: RunDirectory, path: Path) -> Path | None:
     """Writes four panels to `path` and returns it: magnitudes over time, places, released energy,
-    and, of 20 events or more, the numbers over the magnitude with the b-value. None, and no file,
-    where no joint broke."""
+    and the numbers over the magnitude with the b-value. None, and no file, where no joint
+    broke."""
     events = run.events
     if not len(events):
         return None
@@ -101,7 +129,7 @@ def draw_events(run: RunDirectory, path: Path) -> Path | None:
     grid[0, 0].set_ylabel("Magnitude M")
     _draw_places(grid[0, 1], run, events)
     _draw_energy(grid[1, 0], events, time)
-    _draw_b_value(grid[1, 1], events)
+    _draw_numbers(grid[1, 1], events)
     for axes in (grid[0, 0], grid[1, 0], grid[1, 1]):
         axes.grid(alpha=0.3)
     figure.suptitle(run.title, fontsize=11)

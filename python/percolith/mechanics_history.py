@@ -13,7 +13,7 @@ import numpy as np
 from percolith.colours import BLACK, BLUE, RED
 from percolith.history_picture import draw_curves
 from percolith.run_directory import RunDirectory, Table
-from percolith.units import Scale, power_scale, time_scale
+from percolith.units import Scale, length_scale, prefix_scale, time_scale
 
 _HELD = {"kinetic_J_per_m": "kinetic", "elastic_J_per_m": "elastic", "joint_J_per_m": "joints",
          "contact_J_per_m": "contact"}
@@ -21,6 +21,9 @@ _EXCHANGED = {"external_work_J_per_m": "external work", "gravity_J_per_m": "grav
               "fracture_J_per_m": "fracture", "friction_J_per_m": "friction",
               "damping_J_per_m": "damping", "absorbed_J_per_m": "absorbed"}
 _SMALL = 1e-3  # share of the largest work of a reaction below which a boundary counts as not loaded
+_FLAT = 5e-3  # share of the largest curve of a panel below which another lies on its zero line
+_FALL = 0.05  # share of the largest reaction that it must lose again to be called a peak
+_MINUS = "\N{MINUS SIGN}"
 
 
 @dataclass(frozen=True)
@@ -31,6 +34,13 @@ class LoadCurve:
     displacement: np.ndarray  # m
     reaction: np.ndarray  # N/m
 
+    @property
+    def peak(self) -> int | None:
+        """Row of the largest reaction, where it falls again; None where it still grows."""
+        size = np.nan_to_num(np.abs(self.reaction))
+        row = int(np.argmax(size))
+        return row if size[row:].min() < (1.0 - _FALL) * size[row] else None
+
 
 def _present(history: Table, curves: dict[str, str]) -> dict[str, str]:
     """Those that are there and not zero throughout."""
@@ -38,9 +48,17 @@ def _present(history: Table, curves: dict[str, str]) -> dict[str, str]:
             if name in history and np.any(np.nan_to_num(history[name]) != 0.0)}
 
 
+def _visible(history: Table, curves: dict[str, str]) -> dict[str, str]:
+    """Those that can be told from zero beside the largest."""
+    size = {name: np.nanmax(np.abs(history[name])) for name in _present(history, curves)}
+    largest = max(size.values(), default=0.0)
+    return {name: curves[name] for name in size if size[name] > _FLAT * largest}
+
+
 def _scale(values: np.ndarray, unit: str) -> Scale:
     """Of the finite values: a run that failed may have others."""
-    return power_scale(values[np.isfinite(values)], unit)
+    values = values[np.isfinite(values)]
+    return length_scale(values) if unit == "m" else prefix_scale(values, unit)
 
 
 def _reactions(history: Table) -> dict[str, str]:
@@ -71,7 +89,7 @@ def load_curves(history: Table) -> list[LoadCurve]:
 def _draw_group(axes, history: Table, time: Scale, curves: dict[str, str], unit: str,
                 quantity: str) -> None:
     """Draws curves of one unit; hides the panel where there is none."""
-    shown = _present(history, curves)
+    shown = _visible(history, curves)
     axes.set_visible(bool(shown))
     if shown:
         joined = np.concatenate([history[name] for name in shown])
@@ -81,14 +99,11 @@ def _draw_group(axes, history: Table, time: Scale, curves: dict[str, str], unit:
 def _draw_counts(axes, history: Table, time: Scale) -> None:
     """Broken joints on the left, fragments on the right."""
     moments = history["time_s"] / time.factor
-    axes.plot(moments, history["broken_joints"], color=BLUE, drawstyle="steps-post")
-    axes.set_ylabel("Broken joints", color=BLUE)
-    axes.set_ylim(bottom=0)
-    other = axes.twinx()
-    other.plot(moments, history["fragments"], color=RED, drawstyle="steps-post", linestyle="--")
-    other.set_ylabel("Fragments", color=RED)
-    other.set_ylim(bottom=0)
-    for one in (axes, other):
+    for one, name, colour, line in ((axes, "broken_joints", BLUE, "-"),
+                                    (axes.twinx(), "fragments", RED, "--")):
+        one.plot(moments, history[name], color=colour, drawstyle="steps-post", linestyle=line)
+        one.set_ylabel(name.replace("_", " ").capitalize(), color=colour)
+        one.set_ylim(0, 1.05 * max(1.0, np.nanmax(history[name], initial=0.0)))
         one.yaxis.get_major_locator().set_params(integer=True)
 
 
@@ -105,6 +120,8 @@ def _draw_unbalance(axes, history: Table, time: Scale) -> None:
     axes.plot(history["time_s"][shown] / time.factor, history["unbalanced_ratio"][shown],
               color=BLACK, linewidth=1.2)
     axes.set_yscale("log")
+    # Before anything is loaded there is no force to compare with.
+    axes.set_ylim(top=min(axes.get_ylim()[1], 10.0))
     axes.set_ylabel("Unbalanced force ratio")
 
 
@@ -130,9 +147,28 @@ def draw_mechanics_history(run: RunDirectory, path: Path) -> Path:
     return path
 
 
+def _draw_load_curve(axes, curve: LoadCurve) -> None:
+    """Loading reads from the lower left to the upper right, whatever its sign."""
+    across, up = _scale(curve.displacement, "m"), _scale(curve.reaction, "N/m")
+    x, y = curve.displacement / across.factor, curve.reaction / up.factor
+    axes.plot(x, y, color=BLUE, linewidth=1.4)
+    title, peak = curve.name, curve.peak
+    if peak is not None:
+        axes.plot(x[peak], y[peak], marker="o", markersize=5, color=RED)
+        values = f"peak {y[peak]:.4g} {up.unit} at {x[peak]:.3g} {across.unit}"
+        title += "\n" + values.replace("-", _MINUS)
+    axes.set_title(title, fontsize=10)
+    axes.set_xlabel(across.label("Mean displacement"))
+    axes.set_ylabel(up.label("Reaction"))
+    for values, invert in ((x, axes.invert_xaxis), (y, axes.invert_yaxis)):
+        if values[np.nanargmax(np.abs(values))] < 0.0:
+            invert()
+    axes.grid(alpha=0.3)
+
+
 def draw_loading(run: RunDirectory, path: Path) -> Path | None:
     """Writes a panel a loaded boundary to `path` and returns it: its reaction over its mean
-    displacement. None, and no file, where nothing is loaded."""
+    displacement, with the peak. None, and no file, where nothing is loaded."""
     curves = load_curves(run.history)
     if not curves:
         return None
@@ -141,18 +177,7 @@ def draw_loading(run: RunDirectory, path: Path) -> Path | None:
     figure, grid = plt.subplots(rows, columns, figsize=(5.5 * columns, 4.0 * rows + 0.4),
                                 layout="constrained", squeeze=False)
     for axes, curve in zip(grid.flat, curves):
-        # Loading reads from the lower left to the upper right, whatever its sign.
-        across, up = _scale(curve.displacement, "m"), _scale(curve.reaction, "N/m")
-        axes.plot(curve.displacement / across.factor, curve.reaction / up.factor, color=BLUE,
-                  linewidth=1.4)
-        axes.set_xlabel(across.label("Mean displacement"))
-        axes.set_ylabel(up.label("Reaction"))
-        for values, invert in ((curve.displacement, axes.invert_xaxis),
-                               (curve.reaction, axes.invert_yaxis)):
-            if values[np.nanargmax(np.abs(values))] < 0.0:
-                invert()
-        axes.set_title(curve.name, fontsize=10)
-        axes.grid(alpha=0.3)
+        _draw_load_curve(axes, curve)
     for axes in grid.flat[len(curves):]:
         axes.set_visible(False)
     figure.suptitle(run.title, fontsize=11)

@@ -14,28 +14,32 @@ from matplotlib.lines import Line2D
 from matplotlib.patheffects import Normal, Stroke
 
 from percolith.colours import BLACK, BLUE, GREEN, ORANGE, RED, distinct_colour
-from percolith.deformation import automatic_scale, crack_faces, deformed_points
+from percolith.deformation import (
+    FROM_THE_START,
+    automatic_scale,
+    crack_faces,
+    deformed_points,
+)
 from percolith.field_picture import ColourRange, model_figure, one_a_square
 from percolith.fine_triangles import refine
-from percolith.run_directory import Frame, RunDirectory, RunDirectoryError
-from percolith.units import Scale, format_time, power_scale, pressure_scale, time_scale
+from percolith.mechanics_fields import (
+    LABEL,
+    STRESSES,
+    VECTORS,
+    array_of,
+    fragment_count,
+    range_of_values,
+    rock_and_bodies,
+    values_of,
+)
+from percolith.run_directory import Frame, RunDirectory
+from percolith.units import format_time, time_scale
+from percolith.vtu import Grid
 
-_VECTORS = {"displacement": "displacement_m", "velocity": "velocity_m_per_s"}
-_STRESSES = {"principal_stress_1": "principal_stress_1_Pa",
-             "principal_stress_2": "principal_stress_2_Pa"}
-_LABEL = {
-    "displacement": "Displacement",
-    "velocity": "Velocity",
-    "principal_stress_1": "Principal stress 1, most tensile",
-    "principal_stress_2": "Principal stress 2, most compressive",
-    "damage": "Damage, the largest of a triangle's joints",
-    "fragments": "Fragments",
-}
-MECHANICS_FIELDS = tuple(_LABEL)
 # Number in the field `mode`, name and colour of the joints that a picture of damage shows.
 MODES = {
     -1: ("past its peak", ORANGE),
-    0: ("broken from the start", BLACK),
+    FROM_THE_START: ("broken from the start", BLACK),
     1: ("tensile", BLUE),
     2: ("shear", RED),
     3: ("mixed", GREEN),
@@ -43,55 +47,20 @@ MODES = {
 _TENSION, _COMPRESSION = "#D7191C", "#2C4FBB"
 _COLOURS = 256  # of the colour map
 _LEGEND_ROW = 0.3  # inches below the picture
+_BODY = "#B4B4B4"  # rigid bodies, which no field of the rock describes
 _GREYS = LinearSegmentedColormap.from_list("damage", ["#F4F4F4", "#7A7A7A"])
 
 
-def _array(data: dict[str, np.ndarray], name: str) -> np.ndarray:
-    if name not in data:
-        raise RunDirectoryError(f"no {name} in the field files of this run")
-    return data[name]
+def _draw_bodies(axes, bodies: Grid, scale: float) -> None:
+    axes.add_collection(PolyCollection(deformed_points(bodies, scale)[bodies.cells],
+                                       facecolors=_BODY, antialiased=False, linewidths=0.0,
+                                       rasterized=True), autolim=False)
 
 
-def _values(frame: Frame, field: str) -> np.ndarray:
-    """Values in SI: one a point for sizes of vectors, one a triangle for all else."""
-    if field in _VECTORS:
-        return np.hypot(*_array(frame.matrix.point_data, _VECTORS[field]).T)
-    if field == "fragments":
-        return _array(frame.matrix.cell_data, "fragment")
-    return _array(frame.matrix.cell_data, _STRESSES.get(field, field))
-
-
-def fragment_count(frame: Frame) -> int:
-    """Into how many pieces the rock has come apart."""
-    return len(np.unique(_values(frame, "fragments")))
-
-
-def _range(field: str, values: np.ndarray) -> ColourRange:
-    """The ends of the colours. Stresses grow without bound towards the tips of cracks, on ever
-    finer meshes, and are cut at the last per cent on either side."""
-    if field == "damage":
-        return ColourRange(0.0, 1.0, Scale(1.0, ""))
-    if not np.isfinite(values).any():
-        raise RunDirectoryError(f"{_LABEL[field].lower()}: no finite value")
-    if field in _VECTORS:
-        low, high = 0.0, float(np.nanmax(values)) or 1.0
-        unit = "m" if field == "displacement" else "m/s"
-        return ColourRange(low, high, power_scale([high], unit))
-    low, high = (float(end) for end in np.nanpercentile(values, [1, 99]))
-    if high - low <= 1e-12 * max(abs(low), abs(high)):
-        low, high = low - 0.5 * (abs(low) or 1.0), high + 0.5 * (abs(high) or 1.0)
-    return ColourRange(low, high, pressure_scale([low, high]))
-
-
-def range_of_frames(run: RunDirectory, field: str) -> ColourRange:
-    """The ends of the colours over all frames of a run."""
-    return _range(field, np.concatenate([_values(run.frame(time), field) for time in run.times]))
-
-
-def _draw_triangles(axes, frame: Frame, points: np.ndarray, field: str,
+def _draw_triangles(axes, frame: Frame, points: np.ndarray, values: np.ndarray, field: str,
                     shown: ColourRange) -> PolyCollection:
-    corners, values = points[frame.matrix.cells], _values(frame, field)
-    if field in _VECTORS:
+    corners = points[frame.matrix.cells]
+    if field in VECTORS:
         fine = refine(corners, values[frame.matrix.cells], (shown.high - shown.low) / _COLOURS)
         corners, values = fine.corners, fine.values
     factor = shown.scale.factor
@@ -106,7 +75,7 @@ def _draw_triangles(axes, frame: Frame, points: np.ndarray, field: str,
 def _draw_fragments(axes, frame: Frame, points: np.ndarray) -> None:
     """The largest fragment comes first in the order of colours, so that it keeps its colour while
     pieces come off."""
-    _, number, count = np.unique(_values(frame, "fragments"), return_inverse=True,
+    _, number, count = np.unique(values_of(frame, "fragments"), return_inverse=True,
                                  return_counts=True)
     rank = np.empty(len(count), int)
     rank[np.argsort(-count, kind="stable")] = np.arange(len(count))
@@ -118,19 +87,19 @@ def _draw_fragments(axes, frame: Frame, points: np.ndarray) -> None:
 
 def _draw_cracks(axes, frame: Frame, points: np.ndarray) -> None:
     """Both faces of every broken joint, thin and dark."""
-    faces, segment = crack_faces(frame)
+    faces, segment, _ = crack_faces(frame)
     if len(faces):
-        broken = _array(frame.cracks.cell_data, "mode")[segment] >= 0
+        broken = array_of(frame.cracks.cell_data, "mode")[segment] >= 0
         axes.add_collection(LineCollection(points[faces[broken]], colors="#202020",
                                            linewidths=0.7, capstyle="round"), autolim=False)
 
 
 def _draw_modes(figure, axes, frame: Frame, points: np.ndarray) -> None:
     """Both faces of every joint past its peak in the colour of its mode, with a legend."""
-    faces, segment = crack_faces(frame)
+    faces, segment, _ = crack_faces(frame)
     if not len(faces):
         return
-    mode = _array(frame.cracks.cell_data, "mode")
+    mode = array_of(frame.cracks.cell_data, "mode")
     handles = []
     for number, (name, colour) in MODES.items():
         if not (mode == number).any():
@@ -140,22 +109,23 @@ def _draw_modes(figure, axes, frame: Frame, points: np.ndarray) -> None:
                                            linewidths=width, capstyle="round"), autolim=False)
         handles.append(Line2D([], [], color=colour, linewidth=2.2,
                               label=f"{name} ({(mode == number).sum()})"))
-    figure.legend(handles=handles, loc="outside lower center", ncols=min(3, len(handles)),
-                  frameon=False, fontsize="small")
+    columns = 2 if len(handles) == 4 else min(3, len(handles))
+    figure.legend(handles=handles, loc="outside lower center", ncols=columns, frameon=False,
+                  fontsize="small")
 
 
 def _draw_crosses(figure, axes, frame: Frame, points: np.ndarray, field: str) -> None:
     """Principal stresses at about 20 places across the model: direction, size and sign. The stress
     of the picture sets the length; the other is cut where it would be longer than a place."""
     data = frame.matrix.cell_data
-    stress = np.stack([_array(data, name) for name in _STRESSES.values()], axis=1)
-    direction = _array(data, "principal_direction")
+    stress = np.stack([array_of(data, name) for name in STRESSES.values()], axis=1)
+    direction = array_of(data, "principal_direction")
     centre = points[frame.matrix.cells].mean(axis=1)
     size = np.ptp(points, axis=0)
     spacing = max(size) / 20
     counts = np.maximum(np.round(size / spacing), 1)  # whole squares, so that none is a sliver
     chosen = one_a_square((centre - points.min(axis=0)) / size * counts, 1.0)
-    largest = np.nanpercentile(np.abs(_values(frame, field)), 95) or 1.0
+    largest = np.nanpercentile(np.abs(values_of(frame, field)), 95) or 1.0
     across = np.stack([-direction[:, 1], direction[:, 0]], axis=1)
     for sign, colour in ((-1, _COMPRESSION), (1, _TENSION)):
         lines = []
@@ -176,7 +146,7 @@ def _draw_crosses(figure, axes, frame: Frame, points: np.ndarray, field: str) ->
 
 def _title(run: RunDirectory, frame: Frame, field: str, scale: float, width: float) -> str:
     """What the picture shows, in lines that fit a figure of `width` inches."""
-    name = _LABEL[field].split(",")[0]
+    name = LABEL[field].split(",")[0]
     name = f"{fragment_count(frame)} fragments" if field == "fragments" else name
     moment = format_time(frame.time, time_scale(run.times))
     shape = "true to scale" if scale == 1.0 else f"displacements × {scale:g}"
@@ -187,29 +157,34 @@ def _title(run: RunDirectory, frame: Frame, field: str, scale: float, width: flo
 def draw_mechanics(run: RunDirectory, frame: Frame, field: str, path: Path,
                    scale: float | None = None, colour_range: ColourRange | None = None) -> Path:
     """Writes the picture of `field` at the time of `frame` to `path` and returns it. `scale`
-    multiplies the displacements; None stands for `automatic_scale`. Raises RunDirectoryError where
-    the run has no such field."""
+    multiplies the displacements; None stands for `automatic_scale`. Rigid bodies are grey. Raises
+    RunDirectoryError where the run has no such field."""
     scale = automatic_scale(frame.matrix) if scale is None else scale
+    figure, axes, is_wide = model_figure(deformed_points(frame.matrix, scale))
+    title = _title(run, frame, field, scale, figure.get_figwidth())
+    frame, bodies = rock_and_bodies(run, frame)
     points = deformed_points(frame.matrix, scale)
-    figure, axes, is_wide = model_figure(points)
-    legend_rows = 2 if field == "damage" else 1 if field in _STRESSES else 0
+    _draw_bodies(axes, bodies, scale)
+    legend_rows = 2 if field == "damage" else 1 if field in STRESSES else 0
     figure.set_figheight(figure.get_figheight() + legend_rows * _LEGEND_ROW)
     if field == "fragments":
         _draw_fragments(axes, frame, points)
     else:
-        shown = colour_range or _range(field, _values(frame, field))
-        picture = _draw_triangles(axes, frame, points, field, shown)
-        figure.colorbar(picture, ax=axes, extend="both" if field in _STRESSES else "neither",
-                        label=shown.scale.label(_LABEL[field]),
+        values = values_of(frame, field)
+        shown = colour_range or range_of_values(field, values)
+        picture = _draw_triangles(axes, frame, points, values, field, shown)
+        beyond = "max" if field in VECTORS and np.nanmax(values) > shown.high else "neither"
+        figure.colorbar(picture, ax=axes, extend="both" if field in STRESSES else beyond,
+                        label=shown.scale.label(LABEL[field]),
                         **({"orientation": "horizontal", "aspect": 40, "shrink": 0.7} if is_wide
                            else {"shrink": 0.85}))
     if field == "damage":
         _draw_modes(figure, axes, frame, points)
     else:
         _draw_cracks(axes, frame, points)
-    if field in _STRESSES:
+    if field in STRESSES:
         _draw_crosses(figure, axes, frame, points, field)
-    axes.set_title(_title(run, frame, field, scale, figure.get_figwidth()), fontsize=11)
+    axes.set_title(title, fontsize=11)
     figure.savefig(path, dpi=120, pil_kwargs={"optimize": True})
     plt.close(figure)
     return path

@@ -15,13 +15,9 @@ from percolith.deformation import automatic_scale
 from percolith.event_picture import draw_events
 from percolith.field_picture import FIELDS, ColourRange, draw_field
 from percolith.history_picture import draw_history
+from percolith.mechanics_fields import MECHANICS_FIELDS, fragment_count, range_of_frames
 from percolith.mechanics_history import draw_loading, draw_mechanics_history
-from percolith.mechanics_picture import (
-    MECHANICS_FIELDS,
-    draw_mechanics,
-    fragment_count,
-    range_of_frames,
-)
+from percolith.mechanics_picture import draw_mechanics
 from percolith.probe_picture import draw_probes
 from percolith.run_directory import Frame, RunDirectory, RunDirectoryError
 from percolith.vtu import VtuError

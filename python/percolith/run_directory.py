@@ -107,6 +107,11 @@ class RunDirectory:
         with open(self._file("summary.json"), encoding="utf-8") as file:
             return json.load(file)
 
+    @property
+    def has_summary(self) -> bool:
+        """False while a run goes on, and after one that was killed."""
+        return (self.path / "summary.json").is_file()
+
     @cached_property
     def history(self) -> Table:
         """history.csv: one row a reported time."""

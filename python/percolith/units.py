@@ -22,6 +22,8 @@ class Scale:
 _PRESSURE = [(1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa"), (1.0, "Pa")]
 _TIME = [(86400.0, "d"), (3600.0, "h"), (60.0, "min"), (1.0, "s"), (1e-3, "ms"), (1e-6, "µs")]
 
+_PREFIXES = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ")]
+
 
 def _largest_below(steps: list[tuple[float, str]], size: float) -> Scale:
     for factor, unit in steps:
@@ -42,6 +44,24 @@ def time_scale(values) -> Scale:
     if size == 0 or 0.1 <= size < 60:
         return Scale(1.0, "s")
     return _largest_below(_TIME, size)
+
+
+def length_scale(values) -> Scale:
+    """Nanometres to metres, by the largest value: 0.2 m, but 20 mm."""
+    size = float(np.max(np.abs(values), initial=0.0))
+    if size == 0 or size >= 0.1:
+        return Scale(1.0, "m")
+    return _largest_below([(1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm")], size)
+
+
+def prefix_scale(values, unit: str) -> Scale:
+    """`unit` with a prefix from micro to giga, by the largest value; a power of ten times `unit`
+    beyond."""
+    size = float(np.max(np.abs(values), initial=0.0))
+    for factor, prefix in _PREFIXES:
+        if factor <= size < 1e3 * factor:
+            return Scale(factor, prefix + unit)
+    return power_scale(values, unit)
 
 
 def power_scale(values, unit: str) -> Scale:

@@ -114,6 +114,7 @@ def _write_frame(folder: Path, number: int, time: float, load: float, cracked: b
         write_grid(folder / f"fields/cracks_{number:06d}.vtu", ends.reshape(-1, 2),
                    np.arange(2 * count).reshape(-1, 2), {},
                    {"fracture": np.full(count, -1, "<i4"), "mode": mode.astype("<i4"),
+                    "damage": np.where(mode < 0, 0.5, 1.0),
                     "opening_m": np.full(count, 1e-6)}, time)
 
 

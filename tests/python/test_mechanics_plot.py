@@ -4,12 +4,16 @@
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
-from percolith import RunDirectory, plot
-from percolith.b_value import BIN_WIDTH, b_value
+from matplotlib.axes import Axes
+from percolith import RunDirectory, mechanics_history, plot
+from percolith.b_value import BIN_WIDTH, b_value, reason_for_none
 from percolith.colours import distinct_colour
 from percolith.deformation import automatic_scale, crack_faces, deformed_points
-from percolith.mechanics_history import load_curves
-from percolith.mechanics_picture import MODES, draw_mechanics, fragment_count
+from percolith.event_picture import draw_events, shown_window
+from percolith.mechanics_fields import fragment_count
+from percolith.mechanics_history import LoadCurve, load_curves
+from percolith.mechanics_picture import MODES, draw_mechanics
+from percolith.units import length_scale, prefix_scale
 from synthetic_run import HEIGHT, write_mechanics_run
 
 
@@ -86,17 +90,18 @@ def test_the_deformed_shape_is_the_model_plus_the_scaled_displacements(directory
 
 def test_crack_faces_are_the_two_edges_of_triangles_on_each_segment(directory):
     frame = RunDirectory(directory).frame()
-    faces, segment = crack_faces(frame)
+    faces, segment, triangle = crack_faces(frame)
     assert np.array_equal(np.bincount(segment), np.full(len(frame.cracks.cells), 2))
     on_face = np.sort(frame.matrix.points[faces].reshape(-1, 4), axis=1)
     on_crack = np.sort(frame.cracks.points[frame.cracks.cells].reshape(-1, 4), axis=1)
     assert on_face == pytest.approx(on_crack[segment])
+    assert all(set(face) < set(cell) for face, cell in zip(faces, frame.matrix.cells[triangle]))
     assert len(np.unique(faces)) > len(np.unique(frame.matrix.points[faces].reshape(-1, 2), axis=0))
 
 
 def test_no_cracks_have_no_faces(directory):
-    faces, segment = crack_faces(RunDirectory(directory).frame(0.0))
-    assert len(faces) == len(segment) == 0
+    faces, segment, triangle = crack_faces(RunDirectory(directory).frame(0.0))
+    assert len(faces) == len(segment) == len(triangle) == 0
 
 
 def test_damage_shows_every_mode_in_its_colour(directory, tmp_path):
@@ -187,7 +192,7 @@ def test_scales_that_mean_nothing(directory, scale, capsys):
 
 def test_a_field_that_the_files_lack_is_named(tmp_path, capsys):
     directory = write_mechanics_run(tmp_path / "results")
-    for file in directory.glob("fields/matrix_*.vtu"):
+    for file in directory.glob("fields/cracks_*.vtu"):
         file.write_bytes(file.read_bytes().replace(b'"damage"', b'"demage"'))
     assert plot.main([str(directory), "--field", "damage"]) == 2
     assert "no damage in the field files of this run" in capsys.readouterr().err
@@ -213,15 +218,78 @@ def test_b_value_of_events_that_follow_the_law():
 
 
 def test_b_value_by_hand():
-    fit = b_value(np.array([-3.0] * 12 + [-2.9] * 6 + [-2.8] * 2 + [-np.inf]))
-    assert fit.count == 20
-    assert fit.value == pytest.approx(np.log10(np.e) / (-2.95 + 3.0 + 0.05))
-    assert fit.error == pytest.approx(fit.value / 20**0.5)
+    fit = b_value(np.array([-3.0] * 40 + [-2.9] * 12 + [-2.5] * 8 + [-np.inf]))
+    assert fit.count == 60
+    assert fit.value == pytest.approx(np.log10(np.e) / (0.1 * 12 / 60 + 0.5 * 8 / 60 + 0.05))
+    assert fit.error == pytest.approx(fit.value / 60**0.5)
 
 
-def test_b_value_needs_twenty_events():
-    assert b_value(np.linspace(-4, -3, 19)) is None
-    assert b_value(np.full(30, -np.inf)) is None
+def test_few_events_have_no_b_value():
+    complete = np.repeat([-3.0, -2.7, -2.5], [30, 10, 9])
+    below = np.repeat([-3.3, -3.2, -3.1], 20)  # that the mesh leaves out do not count
+    assert b_value(np.concatenate([below, complete])) is None
+    assert "fewer than 50 events" in reason_for_none(np.concatenate([below, complete]))
+    assert b_value(np.concatenate([complete, [-2.5]])) is not None
+    assert "fewer than 50 events" in reason_for_none(np.full(80, -np.inf))
+
+
+def test_events_much_alike_have_no_b_value():
+    alike = np.repeat([-3.0, -2.9, -2.6], [100, 50, 20])
+    assert b_value(alike) is None
+    assert reason_for_none(alike) == "magnitudes above the fullest bin span less than 0.5"
+    assert reason_for_none(np.concatenate([alike, [-2.5]])) == ""
+
+
+def test_the_picture_of_events_says_why_it_has_no_b_value(tmp_path, monkeypatch):
+    notes = []
+    monkeypatch.setattr(Axes, "set_title", lambda self, text, **_: notes.append(text))
+    for count in (150, 30):
+        run = RunDirectory(write_mechanics_run(tmp_path / f"{count}", events=count))
+        assert draw_events(run, tmp_path / "events.png").is_file()
+    assert notes == ["no b-value: fewer than 50 events above the fullest bin"]
+
+
+def test_the_places_of_events_fill_their_panel():
+    outline = np.array([[[0.0, 0.0], [20.0, 0.0]], [[20.0, 0.0], [20.0, 10.0]]])
+    whole = shown_window(outline, np.array([[1.0, 1.0], [15.0, 9.0]]))
+    assert whole == pytest.approx(np.array([[-0.6, -0.6], [20.6, 10.6]]))
+    assert shown_window(outline, np.array([[5.0, 5.0]])) == pytest.approx(whole)
+    near = shown_window(outline, np.array([[0.0, 4.0], [2.0, 6.0]]))
+    assert near == pytest.approx(np.array([[-0.6, 2.4], [3.6, 7.6]]))
+
+
+def test_curves_on_the_zero_line_are_not_drawn(directory, monkeypatch):
+    drawn = {}
+    monkeypatch.setattr(mechanics_history, "draw_curves", lambda axes, history, time, curves, scale,
+                        quantity: drawn.update({quantity: list(curves.values())}))
+    mechanics_history.draw_mechanics_history(RunDirectory(directory), directory / "history.png")
+    assert drawn["Reaction"] == ["boundary.bottom, y", "boundary.top, y"]  # x has 1e-4 of it
+    assert "elastic" in drawn["Energy held"] and "gravity" not in drawn["Energy exchanged"]
+
+
+def test_a_peak_is_a_reaction_that_falls_again():
+    moved = np.linspace(0.0, 1.0, 5)
+    assert LoadCurve("top", moved, np.array([0.0, -1.0, -3.0, -2.0, -2.5])).peak == 2
+    assert LoadCurve("top", moved, np.array([0.0, 1.0, 2.0, 3.0, 2.9])).peak is None
+    assert LoadCurve("top", moved, np.array([0.0, 1.0, 2.0, np.nan, np.nan])).peak == 2
+    assert LoadCurve("top", moved, np.zeros(5)).peak is None
+
+
+@pytest.mark.parametrize("size, unit", [
+    (0.0, "m"), (0.2, "m"), (0.02, "mm"), (5e-5, "µm"), (5e-9, "nm"), (1e-12, "nm")])
+def test_units_of_lengths(size, unit):
+    assert length_scale([size]).unit == unit
+
+
+@pytest.mark.parametrize("size, unit", [
+    (2.57e6, "MN/m"), (850e3, "kN/m"), (12.0, "N/m"), (3e-3, "mN/m"), (0.0, "N/m")])
+def test_units_with_prefixes(size, unit):
+    assert prefix_scale([size, -size / 2], "N/m").unit == unit
+
+
+def test_sizes_beyond_all_prefixes_are_powers_of_ten():
+    assert prefix_scale([1e-9], "N/m").factor == pytest.approx(1e-9)
+    assert prefix_scale([1e13], "N/m").factor == pytest.approx(1e13)
 
 
 def test_a_run_that_failed_can_still_be_drawn(tmp_path, capsys):
