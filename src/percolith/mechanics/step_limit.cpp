@@ -110,9 +110,11 @@ bool is_held(const Model& model, Index t) {
   return true;
 }
 
-/// Contact takes the place of joints: the stiffer of the two counts.
-double together(const Frequencies& f) {
-  return f.triangle + std::max(f.joints, f.contact);
+/// Contact takes the place of joints: the stiffer of the two counts. Local damping, which goes by
+/// the last velocity, points along the force of a mode that turns round at every step and makes it
+/// so much stiffer.
+double together(const Model& model, const Frequencies& f) {
+  return (1.0 + model.damping.local) * (f.triangle + std::max(f.joints, f.contact));
 }
 
 }  // namespace
@@ -171,7 +173,7 @@ std::vector<MotionLimit> step_limits(const Model& model, std::span<const double>
     note(contact, stable_step(f.contact, 0.0), t);
     note(viscosity, stable_step(0.0, f.viscous), t);
     note(absorbing, stable_step(0.0, f.absorbing), t);
-    note(all, stable_step(together(f), f.viscous + f.absorbing), t);
+    note(all, stable_step(together(model, f), f.viscous + f.absorbing), t);
   }
   std::vector<MotionLimit> limits;
   for (MotionLimit* limit : {&triangles, &joints, &contact, &viscosity, &absorbing}) {
@@ -199,7 +201,7 @@ double scale_mass(Model& model, std::span<const double> contact_penalty, double 
     before += mass;
     const Frequencies f = frequencies(model, t, penalty_of(contact_penalty, t));
     // Frequencies fall as one over the mass: dt^2 square + 2 dt viscous = 4 is linear in it.
-    const double factor = 0.25 * (step * step * together(f) + 2.0 * step * f.viscous);
+    const double factor = 0.25 * (step * step * together(model, f) + 2.0 * step * f.viscous);
     if (factor > 1.0) {
       inverse /= factor;
       added += mass * (factor - 1.0);
