@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Patch test: uniform stress on irregular triangles; how much joints soften the rock."""
+"""Patch test: uniform stress on irregular triangles, layered rock too; how much joints soften it."""
 
 from pathlib import Path
 
@@ -40,6 +40,44 @@ def uniform(chapter: Chapter, work: Path) -> None:
                         1e-8)
 
 
+def layered_stress(strain: np.ndarray, across: float, ratio: float, shear: float,
+                   bedding: float) -> np.ndarray:
+    """Stress in rock with layers at the angle `bedding`: the compliance in the axes along, across
+    and along the strike, inverted and turned. YOUNG and POISSON hold within the layers."""
+    compliance = np.array([[1 / YOUNG, -ratio / across, -POISSON / YOUNG],
+                           [-ratio / across, 1 / across, -ratio / across],
+                           [-POISSON / YOUNG, -ratio / across, 1 / YOUNG]])
+    stiffness = np.linalg.inv(compliance)[:2, :2]
+    turn = np.array([[np.cos(bedding), np.sin(bedding)], [-np.sin(bedding), np.cos(bedding)]])
+    turned = turn @ strain @ turn.T
+    along, normal = stiffness @ np.diag(turned)
+    sheared = 2 * shear * turned[0, 1]
+    return turn.T @ np.array([[along, sheared], [sheared, normal]]) @ turn
+
+
+def layered(chapter: Chapter, work: Path) -> None:
+    across, ratio, shear = 4e9, 0.15, 2.5e9
+    # The top moves along and down, the sides carry what belongs to that.
+    strain = np.array([[0.0, 0.5 * STRETCH], [0.5 * STRETCH, PRESSED]])
+    for degrees in (0, 30, 75):
+        stress = layered_stress(strain, across, ratio, shear, np.radians(degrees))
+        settings = {"material.rock.normal_young_modulus": across,
+                    "material.rock.normal_poisson_ratio": ratio,
+                    "material.rock.normal_shear_modulus": shear,
+                    "material.rock.bedding_angle": f"{degrees} deg",
+                    "boundary.top.displacement_y": {"times": [0, 1e-3], "values": [0, PRESSED]}}
+        for side, sign in (("left", -1), ("right", 1)):
+            for row, axis in enumerate("xy"):
+                settings[f"boundary.{side}.traction_{axis}"] = float(sign * stress[0, row])
+        run = run_case(HERE / "shear.toml", work / f"layered_{degrees}", settings).results
+        cells = run.frame().matrix.cell_data
+        found = np.array([cells[f"stress_{axes}_Pa"] for axes in ("xx", "yy", "xy")])
+        expected = np.array([stress[0, 0], stress[1, 1], stress[0, 1]])
+        error = abs(found - expected[:, None]).max() / abs(expected).max()
+        chapter.at_most(f"layered.{degrees}", f"layers at {degrees} degrees: largest error of the "
+                        "stress in any triangle over the stress", error, 1e-8)
+
+
 def joints(chapter: Chapter, work: Path) -> None:
     modulus = plane_modulus(YOUNG, POISSON)
     factors, found = [10, 100, 1000], []
@@ -68,4 +106,5 @@ def joints(chapter: Chapter, work: Path) -> None:
 
 def check(chapter: Chapter, work: Path) -> None:
     uniform(chapter, work)
+    layered(chapter, work)
     joints(chapter, work)

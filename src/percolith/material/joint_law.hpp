@@ -114,4 +114,42 @@ PERCOLITH_DEVICE Real friction_of(const JointConstants<Real>& c, Real opening, R
   return select(memory.damage > Real(0.0), share, Real(0.0));
 }
 
+/// A point as it was at an earlier moment.
+template <class Real>
+struct JointMoment {
+  Real opening, slip;  ///< m
+  JointTraction<Real> traction;
+  Real damage;
+};
+
+/// Energies that a point lost between two moments, J/m2.
+template <class Real>
+struct JointLoss {
+  Real bond, friction;
+};
+
+/// What a point lost from `before` to `now`: the work of its traction, by the trapezoidal rule, less
+/// what is stored more; friction apart. `memory` is that of now. A point that was whole before
+/// counts from its peak, which it has just passed.
+template <class Real>
+PERCOLITH_DEVICE JointLoss<Real> joint_loss(const JointConstants<Real>& c, JointMoment<Real> before,
+                                            const JointMoment<Real>& now,
+                                            const JointMemory<Real>& memory) {
+  const auto known = before.damage > Real(0.0);
+  const JointTraction<Real> elastic = elastic_traction(c.stiffness, now.opening, now.slip);
+  before.opening = select(known, before.opening, now.opening);
+  before.slip = select(known, before.slip, now.slip);
+  before.traction = {select(known, before.traction.normal, elastic.normal),
+                     select(known, before.traction.shear, elastic.shear)};
+  const auto stored = [&](const JointMoment<Real>& moment) {
+    return stored_energy(moment.traction, moment.opening, moment.slip, c.stiffness, moment.damage);
+  };
+  const Real slid = now.slip - before.slip;
+  const Real work = Real(0.5) * ((before.traction.normal + now.traction.normal) *
+                                     (now.opening - before.opening) +
+                                 (before.traction.shear + now.traction.shear) * slid);
+  const Real friction = slid * friction_of(c, now.opening, now.slip, memory);
+  return {work - (stored(now) - stored(before)) - friction, friction};
+}
+
 }  // namespace percolith::material

@@ -122,4 +122,15 @@ double stored_in_closed_joints(const Model& model, double back) {
   return stored;
 }
 
+double closed_friction_since(const Model& model, double back) {
+  double spent = 0.0;
+  for (const ClosedJoint& closed : model.closed) {
+    const JointPoints k = joint_openings(model, closed.joint, back);
+    for (std::size_t g = 0; g < 2; ++g) {
+      spent += 0.5 * model.mesh.joint_length(closed.joint) * traction_of(closed, k, g).loss;
+    }
+  }
+  return spent;
+}
+
 }  // namespace percolith::mechanics

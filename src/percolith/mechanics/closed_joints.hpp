@@ -29,4 +29,8 @@ struct ClosedJointEnd {
 /// Energy the closed joints would give back, J/m; `back` as in `joint_points`.
 [[nodiscard]] double stored_in_closed_joints(const Model& model, double back = 0.0);
 
+/// What friction of closed joints spends from the last `add_closed_joints` to the places of
+/// `back`, J/m.
+[[nodiscard]] double closed_friction_since(const Model& model, double back);
+
 }  // namespace percolith::mechanics

@@ -117,8 +117,9 @@ private:
       const Real damage_before = memory.damage;
       t[g] = material::softening_traction(c, opening[g], slip[g], memory);
       const auto bonded = c.stiffness > Real(0.0);
-      const Spending<Real> lost =
-          spend<Lane>(j, g, c, damage_before, opening[g], slip[g], t[g], memory);
+      const material::JointMoment<Real> now{opening[g], slip[g], t[g], memory.damage};
+      const material::JointLoss<Real> lost = material::joint_loss(
+          c, exchange_moment<Lane>(j, g, damage_before, now), now, memory);
       spent += select(bonded, lost.bond, Real(0.0));
       rubbed += select(bonded, lost.friction, Real(0.0));
       Lane::store(opening_peak_[g] + j, memory.opening_peak);
@@ -136,41 +137,21 @@ private:
     }
   }
 
-  /// Energies a point lost in a step, J/m2.
-  template <class Real>
-  struct Spending {
-    Real bond, friction;
-  };
-
-  /// What a point lost since the last step: the work of its traction, by the trapezoidal rule, less
-  /// what is stored more; friction apart. The step in which it passes its peak counts from there.
+  /// A point as it was in the last step, and now in its place.
   template <class Lane>
-  PERCOLITH_DEVICE Spending<typename Lane::Real>
-  spend(Index j, std::size_t g, const material::JointConstants<typename Lane::Real>& c,
-        typename Lane::Real damage_before, typename Lane::Real opening, typename Lane::Real slip,
-        const material::JointTraction<typename Lane::Real>& now,
-        const material::JointMemory<typename Lane::Real>& memory) const {
-    using Real = typename Lane::Real;
-    const auto known = damage_before > Real(0.0);
-    const material::JointTraction<Real> elastic =
-        material::elastic_traction(c.stiffness, opening, slip);
-    const Real opening_before = select(known, Lane::load(past_opening_[g] + j), opening);
-    const Real slip_before = select(known, Lane::load(past_slip_[g] + j), slip);
-    const material::JointTraction<Real> before{
-        select(known, Lane::load(past_normal_[g] + j), elastic.normal),
-        select(known, Lane::load(past_shear_[g] + j), elastic.shear)};
-    Lane::store(past_opening_[g] + j, opening);
-    Lane::store(past_slip_[g] + j, slip);
-    Lane::store(past_normal_[g] + j, now.normal);
-    Lane::store(past_shear_[g] + j, now.shear);
-    const Real slid = slip - slip_before;
-    const Real work = Real(0.5) * ((before.normal + now.normal) * (opening - opening_before) +
-                                   (before.shear + now.shear) * slid);
-    const Real stored_before =
-        material::stored_energy(before, opening_before, slip_before, c.stiffness, damage_before);
-    const Real stored = material::stored_energy(now, opening, slip, c.stiffness, memory.damage);
-    const Real friction = slid * material::friction_of(c, opening, slip, memory);
-    return {work - (stored - stored_before) - friction, friction};
+  PERCOLITH_DEVICE material::JointMoment<typename Lane::Real>
+  exchange_moment(Index j, std::size_t g, typename Lane::Real damage_before,
+                  const material::JointMoment<typename Lane::Real>& now) const {
+    const material::JointMoment<typename Lane::Real> before{
+        Lane::load(past_opening_[g] + j),
+        Lane::load(past_slip_[g] + j),
+        {Lane::load(past_normal_[g] + j), Lane::load(past_shear_[g] + j)},
+        damage_before};
+    Lane::store(past_opening_[g] + j, now.opening);
+    Lane::store(past_slip_[g] + j, now.slip);
+    Lane::store(past_normal_[g] + j, now.traction.normal);
+    Lane::store(past_shear_[g] + j, now.traction.shear);
+    return before;
   }
 
   const double* ux_;

@@ -27,19 +27,27 @@ JointPoints joint_openings(const Model& model, Index j, double back) {
   return points;
 }
 
-JointPoints joint_points(const Model& model, const JointTable& table, Index j, double back) {
+material::JointConstants<double> joint_constants(const Model& model, const JointTable& table,
+                                                 Index j) {
   const Joints& joints = model.joints;
-  JointPoints points = joint_openings(model, j, back);
   material::JointConstants<double> c = table[at(joints.strength[at(j)])];
   c.stiffness = joints.stiffness[at(j)];
   if (!joints.factor.empty()) {
     c.tensile *= joints.factor[at(j)];
     c.cohesion *= joints.factor[at(j)];
   }
+  return c;
+}
+
+JointPoints joint_points(const Model& model, const JointTable& table, Index j, double back) {
+  const Joints& joints = model.joints;
+  JointPoints points = joint_openings(model, j, back);
+  const material::JointConstants<double> c = joint_constants(model, table, j);
   for (std::size_t g = 0; g < 2; ++g) {
-    material::JointMemory<double> memory{joints.opening_peak[g][at(j)], joints.slip_peak[g][at(j)],
-                                         joints.damage[g][at(j)]};
-    points.traction[g] = material::softening_traction(c, points.opening[g], points.slip[g], memory);
+    points.memory[g] = {joints.opening_peak[g][at(j)], joints.slip_peak[g][at(j)],
+                        joints.damage[g][at(j)]};
+    points.traction[g] =
+        material::softening_traction(c, points.opening[g], points.slip[g], points.memory[g]);
   }
   return points;
 }

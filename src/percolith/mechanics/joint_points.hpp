@@ -11,7 +11,12 @@ struct JointPoints {
   JointPlace<double> place;
   std::array<double, 2> opening{}, slip{};                    ///< m, in-situ start included
   std::array<material::JointTraction<double>, 2> traction{};  ///< Pa; of the bond, 0 without one
+  std::array<material::JointMemory<double>, 2> memory{};      ///< brought up to date
 };
+
+/// Constants of the law of a joint, its stiffness and the scatter of its strengths included.
+[[nodiscard]] material::JointConstants<double> joint_constants(const Model& model,
+                                                               const JointTable& table, Index joint);
 
 /// Opening and slip of any joint, and the traction of its bond with the memory as it stands.
 /// `back` (s): where the corners were so long ago, at their present velocities.
