@@ -43,7 +43,7 @@ public:
   /// Advances by `steps` and keeps the best time of a step as a whole and of each phase.
   void advance(int steps, double dt) {
     for (int i = 0; i < steps; ++i) {
-      const std::map<std::string, double> before = execution_.wall_time();
+      const Execution::WallTimes before = execution_.wall_time();
       const Stopwatch watch;
       scheme_.advance(model_, dt, execution_);
       step_.add(watch.seconds());

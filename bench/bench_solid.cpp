@@ -7,7 +7,6 @@
 
 #include <array>
 #include <functional>
-#include <map>
 #include <string>
 #include <utility>
 
@@ -48,7 +47,7 @@ public:
   [[nodiscard]] double best() const { return best_.value(); }
   [[nodiscard]] double mean() const { return total_ / steps_; }
   [[nodiscard]] double phase(const std::string& name) const {
-    const auto in = [&](const std::map<std::string, double>& times) {
+    const auto in = [&](const Execution::WallTimes& times) {
       const auto found = times.find(name);
       return found == times.end() ? 0.0 : found->second;
     };
@@ -70,7 +69,7 @@ private:
 
   SolidBench bench_;
   Execution execution_;
-  std::map<std::string, double> before_;
+  Execution::WallTimes before_;
   Best best_;
   double total_ = 0.0;
   int steps_ = 0;

@@ -7,9 +7,11 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace percolith {
@@ -38,6 +40,9 @@ struct LaneTotals {
 /// writes. So the result does not depend on the number of threads.
 class Execution {
 public:
+  /// Seconds by the name of the loop.
+  using WallTimes = std::map<std::string, double, std::less<>>;
+
   explicit Execution(Backend backend = Backend::host, int threads = 1)
       : backend_(backend), threads_(backend == Backend::serial ? 1 : threads) {}
 
@@ -47,7 +52,7 @@ public:
   /// Calls `kernel` for the elements 0 .. n-1. For a vector kernel the arrays behind it are padded
   /// to whole blocks, and the padding is handled too.
   template <class Kernel>
-  void for_each(const std::string& name, std::int32_t n, const Kernel& kernel) {
+  void for_each(std::string_view name, std::int32_t n, const Kernel& kernel) {
     const auto start = std::chrono::steady_clock::now();
     if constexpr (VectorKernel<Kernel>) {
       if (backend_ == Backend::host) {
@@ -64,7 +69,7 @@ public:
   /// Calls `kernel(lane, end)` for the elements 0 .. n-1 in chunks of `length`, from the first of
   /// the lane on: for kernels that pick the elements that need work and fill registers with them.
   template <class Kernel>
-  void for_each_chunk(const std::string& name, std::int32_t n, std::int32_t length,
+  void for_each_chunk(std::string_view name, std::int32_t n, std::int32_t length,
                       const Kernel& kernel) {
     const auto start = std::chrono::steady_clock::now();
     if (backend_ == Backend::host) {
@@ -78,7 +83,7 @@ public:
   /// Like `for_each` for a kernel that also sums: `kernel(lane, sums)` adds to a `LaneSums`.
   /// The sums run over chunks of fixed length and so do not depend on the number of threads.
   template <std::size_t Count, class Kernel>
-  LaneTotals<Count> sum_each(const std::string& name, std::int32_t n, const Kernel& kernel) {
+  LaneTotals<Count> sum_each(std::string_view name, std::int32_t n, const Kernel& kernel) {
     const auto start = std::chrono::steady_clock::now();
     LaneTotals<Count> totals;
     if constexpr (VectorKernel<Kernel>) {
@@ -115,12 +120,16 @@ public:
   }
 
   /// Adds the time since `start` to the account of `name`.
-  void book(const std::string& name, std::chrono::steady_clock::time_point start) {
-    wall_time_[name] +=
+  void book(std::string_view name, std::chrono::steady_clock::time_point start) {
+    auto found = wall_time_.find(name);
+    if (found == wall_time_.end()) {
+      found = wall_time_.emplace(name, 0.0).first;
+    }
+    found->second +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
   /// Seconds spent under each name so far.
-  [[nodiscard]] const std::map<std::string, double>& wall_time() const {
+  [[nodiscard]] const WallTimes& wall_time() const {
     return wall_time_;
   }
 
@@ -176,7 +185,7 @@ private:
   Backend backend_;
   int threads_;
   std::vector<double> partial_;
-  std::map<std::string, double> wall_time_;
+  WallTimes wall_time_;
 };
 
 }  // namespace percolith

@@ -70,7 +70,7 @@ void require_valid(const RunState& run) {
 Summary finished_summary(const RunState& run) {
   Summary summary = run.summary;
   summary.end_time = run.model.state.time;
-  summary.wall_time = run.execution.wall_time();
+  summary.wall_time = {run.execution.wall_time().begin(), run.execution.wall_time().end()};
   summary.state_hash = hash_of(run.model.state);
   return summary;
 }

@@ -129,7 +129,7 @@ Summary solid_summary(const SolidRun& run) {
   Summary summary = run.summary;
   const mechanics::Dynamics& dynamics = run.dynamics;
   summary.end_time = dynamics.model().motion.time;
-  summary.wall_time = run.execution.wall_time();
+  summary.wall_time = {run.execution.wall_time().begin(), run.execution.wall_time().end()};
   StateHash hash;
   dynamics.add_to(hash);
   summary.state_hash = hash.text();
