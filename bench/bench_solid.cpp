@@ -7,8 +7,9 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "bench/support/measure.hpp"
 #include "bench/support/results.hpp"
@@ -23,135 +24,123 @@ using namespace percolith::bench;
 constexpr std::array<const char*, 5> phases{"joints", "triangles and motion", "contact search",
                                             "contact force", "breakage"};
 
-/// One way to make the same steps, with its own copy of the rock.
-class Runner {
-public:
-  Runner(SolidBench start, Backend backend, int threads)
-      : bench_(std::move(start)), execution_(backend, threads) {}
-
-  /// Makes steps that do not count, until the state is the one to be measured.
-  void warm_up(int steps) {
-    make(steps);
-    before_ = execution_.wall_time();
-  }
-  /// Makes a round of steps and keeps the best mean of a round, the mean of all, and that of each
-  /// phase.
-  void advance(int steps) {
-    const Stopwatch watch;
-    make(steps);
-    const double seconds = watch.seconds();
-    best_.add(seconds / steps);
-    total_ += seconds;
-    steps_ += steps;
-  }
-  [[nodiscard]] double best() const { return best_.value(); }
-  [[nodiscard]] double mean() const { return total_ / steps_; }
-  [[nodiscard]] double phase(const std::string& name) const {
-    const auto in = [&](const Execution::WallTimes& times) {
-      const auto found = times.find(name);
-      return found == times.end() ? 0.0 : found->second;
-    };
-    return (in(execution_.wall_time()) - in(before_)) / steps_;
-  }
-  [[nodiscard]] std::string hash() const {
-    StateHash hash;
-    bench_.dynamics.add_to(hash);
-    return hash.text();
-  }
-  [[nodiscard]] const mechanics::Dynamics& dynamics() const { return bench_.dynamics; }
-
-private:
-  void make(int steps) {
-    for (int i = 0; i < steps; ++i) {
-      static_cast<void>(bench_.dynamics.advance(bench_.dt, execution_));
-    }
-  }
-
-  SolidBench bench_;
-  Execution execution_;
-  Execution::WallTimes before_;
-  Best best_;
-  double total_ = 0.0;
-  int steps_ = 0;
-};
-
 struct Case {
   std::string name;
   std::string size;
   std::int32_t triangles = 0;
   SolidCase what;
   double limit = 0.0;  ///< ns/triangle-step on one thread; 0: none
-  int warm_up = 0;     ///< steps before the first round
-  int steps = 0;       ///< of a round
-  int rounds = 0;
+  int steps = 0;
+  int repeats = 0;
 };
 
-void print_table(const Case& c, const Runner& serial, const Runner& one, const Runner& two,
-                 const std::function<double(double)>& nanoseconds) {
-  fmt::print("\n{} triangles, {}; state {} {} {}\n", one.dynamics().model().mesh.triangles(),
-             c.name, serial.hash(), one.hash(), two.hash());
-  fmt::print("  {:<22}{:>10}{:>10}{:>10}\n", "ns/triangle", "serial", "1 thread", "2 threads");
-  const auto row = [&](const std::string& name, double s, double t1, double t2) {
-    fmt::print("  {:<22}{:>10.2f}{:>10.2f}{:>10.2f}\n", name, nanoseconds(s), nanoseconds(t1),
-               nanoseconds(t2));
-  };
-  for (const char* phase : phases) {
-    row(phase, serial.phase(phase), one.phase(phase), two.phase(phase));
+/// What the steps of a case take in one way to make them, s, and what they come to.
+struct Timing {
+  double step = 0.0;                    ///< mean over the steps of the best time of each
+  std::map<std::string, double> phase;  ///< mean of a step
+  std::string hash;
+  Index triangles = 0, listed = 0, touching = 0;
+  double bytes = 0.0;  ///< that a step of intact rock moves
+};
+
+/// Makes the same steps several times from the same start: other programs disturb a step now and
+/// then, but hardly the same one each time.
+Timing time_steps(const Case& c, Backend backend, int threads, int repeats) {
+  std::vector<Best> best(static_cast<std::size_t>(c.steps));
+  Timing timing;
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    SolidBench bench = make_solid(c.triangles, c.what);
+    Execution execution(backend, threads);
+    for (Best& step : best) {
+      const Stopwatch watch;
+      static_cast<void>(bench.dynamics.advance(bench.dt, execution));
+      step.add(watch.seconds());
+    }
+    for (const auto& [name, seconds] : execution.wall_time()) {
+      timing.phase[name] += seconds / (c.steps * repeats);
+    }
+    StateHash hash;
+    bench.dynamics.add_to(hash);
+    timing.hash = hash.text();
+    timing.triangles = bench.dynamics.model().mesh.triangles();
+    timing.listed = bench.dynamics.contact().listed_pairs();
+    timing.touching = bench.dynamics.contact().touching_pairs();
+    const SolidTraffic traffic = solid_traffic(bench.dynamics.model());
+    timing.bytes = traffic.joints + traffic.triangles;
   }
-  row("whole step", serial.mean(), one.mean(), two.mean());
-  row("best round", serial.best(), one.best(), two.best());
+  for (const Best& step : best) {
+    timing.step += step.value() / c.steps;
+  }
+  return timing;
 }
 
-double measure_case(const Case& c, Results& results) {
-  Runner serial(make_solid(c.triangles, c.what), Backend::serial, 1);
-  Runner one(make_solid(c.triangles, c.what), Backend::host, 1);
-  Runner two(make_solid(c.triangles, c.what), Backend::host, 2);
-  for (Runner* runner : {&serial, &one, &two}) {
-    runner->warm_up(c.warm_up);
+void print_table(const Case& c, const std::array<Timing, 3>& ways) {
+  fmt::print("\n{} triangles, {}; state", ways[0].triangles, c.name);
+  for (const Timing& way : ways) {
+    fmt::print(" {}", way.hash);
   }
-  for (int round = 0; round < c.rounds; ++round) {
-    serial.advance(c.steps);
-    one.advance(c.steps);
-    two.advance(c.steps);
-  }
-  const double count = one.dynamics().model().mesh.triangles();
-  const auto nanoseconds = [&](double seconds) { return 1e9 * seconds / count; };
-  print_table(c, serial, one, two, nanoseconds);
-  const std::string name = fmt::format("solid.{}.{}", c.name, c.size);
-  if (c.limit > 0.0) {
-    results.at_most(name + ".1_thread", nanoseconds(one.best()), "ns/triangle-step", c.limit);
-  } else {
-    results.report(name + ".1_thread", nanoseconds(one.best()), "ns/triangle-step");
-  }
-  results.report(name + ".2_threads", nanoseconds(two.best()), "ns/triangle-step");
-  results.report(name + ".one_over_two_threads", one.best() / two.best(), "1");
-  results.must_hold(name + ".same_bits", serial.hash() == one.hash() && one.hash() == two.hash());
-  if (c.what.broken) {
-    fmt::print("  {} pairs listed, {} touch\n", one.dynamics().contact().listed_pairs(),
-               one.dynamics().contact().touching_pairs());
-  } else {
-    const SolidTraffic traffic = solid_traffic(one.dynamics().model());
-    const double bytes = traffic.joints + traffic.triangles;
-    for (int threads = 1; threads <= 2; ++threads) {
-      const double step = threads == 1 ? one.best() : two.best();
-      const double triad = triad_bandwidth(static_cast<std::size_t>(bytes), threads);
-      fmt::print(
-          "  triad of the same size, {} thread{}: {:.1f} GB/s; the step uses {:.0f} % of it\n",
-          threads, threads == 1 ? "" : "s", 1e-9 * triad, 100.0 * bytes / step / triad);
-      results.report(fmt::format("{}.{}_threads.share_of_triad", name, threads),
-                     bytes / step / triad, "1");
+  fmt::print("\n  {:<30}{:>10}{:>10}{:>10}\n", "ns/triangle", "serial", "1 thread", "2 threads");
+  const auto row = [&](const std::string& name, const std::function<double(const Timing&)>& of) {
+    fmt::print("  {:<30}", name);
+    for (const Timing& way : ways) {
+      fmt::print("{:>10.2f}", 1e9 * of(way) / way.triangles);
     }
-    results.at_most(name + ".host_over_serial", one.best() / serial.best(), "1", 1.0 / 3.5);
+    fmt::print("\n");
+  };
+  for (const char* phase : phases) {
+    row(fmt::format("{}, mean", phase), [&](const Timing& way) {
+      const auto found = way.phase.find(phase);
+      return found == way.phase.end() ? 0.0 : found->second;
+    });
   }
-  return nanoseconds(one.best());
+  row("whole step, best of repeats", [](const Timing& way) { return way.step; });
+}
+
+void report_bandwidth(const std::string& name, const std::array<Timing, 3>& ways,
+                      Results& results) {
+  for (int threads = 1; threads <= 2; ++threads) {
+    const Timing& way = ways[static_cast<std::size_t>(threads)];
+    const double triad = triad_bandwidth(static_cast<std::size_t>(way.bytes), threads);
+    const double share = way.bytes / way.step / triad;
+    fmt::print("  triad of the same size, {} thread{}: {:.1f} GB/s; the step uses {:.0f} % of it\n",
+               threads, threads == 1 ? "" : "s", 1e-9 * triad, 100.0 * share);
+    results.report(fmt::format("{}.{}_threads.share_of_triad", name, threads), share, "1");
+  }
+}
+
+/// Returns ns/triangle-step on one thread.
+double measure_case(const Case& c, Results& results) {
+  const std::array<Timing, 3> ways{time_steps(c, Backend::serial, 1, 1),
+                                   time_steps(c, Backend::host, 1, c.repeats),
+                                   time_steps(c, Backend::host, 2, c.repeats)};
+  print_table(c, ways);
+  const auto& [serial, one, two] = ways;
+  const std::string name = fmt::format("solid.{}.{}", c.name, c.size);
+  const double nanoseconds = 1e9 * one.step / one.triangles;
+  if (c.limit > 0.0) {
+    results.at_most(name + ".1_thread", nanoseconds, "ns/triangle-step", c.limit);
+  } else {
+    results.report(name + ".1_thread", nanoseconds, "ns/triangle-step");
+  }
+  results.report(name + ".2_threads", 1e9 * two.step / two.triangles, "ns/triangle-step");
+  results.must_hold(name + ".same_bits", serial.hash == one.hash && one.hash == two.hash);
+  results.at_most(name + ".host_over_serial", one.step / serial.step, "1", 1.0 / 3.5);
+  if (c.what.broken) {
+    fmt::print("  {} pairs listed, {} touch at the end\n", one.listed, one.touching);
+    results.report(name + ".one_over_two_threads", one.step / two.step, "1");
+  } else {
+    report_bandwidth(name, ways, results);
+    results.at_most(name + ".two_over_one_thread", two.step / one.step, "1", 1.0 / 1.8);
+  }
+  return nanoseconds;
 }
 
 void measure(Results& results) {
-  measure_case({"intact", "1e5", 100'000, {}, 30.0, 2, 10, 16}, results);
-  measure_case({"intact", "1e6", 1'000'000, {}, 0.0, 1, 3, 5}, results);
+  measure_case({"intact", "1e5", 100'000, {}, 30.0, 40, 5}, results);
+  measure_case({"intact", "1e6", 1'000'000, {}, 0.0, 6, 3}, results);
   const SolidCase broken{true};
-  const double small = measure_case({"broken", "1e5", 100'000, broken, 500.0, 10, 5, 10}, results);
-  const double large = measure_case({"broken", "1e6", 1'000'000, broken, 0.0, 10, 2, 3}, results);
+  const double small = measure_case({"broken", "1e5", 100'000, broken, 500.0, 30, 3}, results);
+  const double large = measure_case({"broken", "1e6", 1'000'000, broken, 0.0, 30, 1}, results);
   results.at_most("solid.broken.1e6_over_1e5", large / small, "1", 1.5);
 }
 

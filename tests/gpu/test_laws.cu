@@ -4,6 +4,7 @@
 #include "percolith/material/elasticity.hpp"
 #include "percolith/material/friction.hpp"
 #include "percolith/material/joint_law.hpp"
+#include "percolith/mechanics/contact/overlap_force.hpp"
 #include "percolith/mechanics/joint.hpp"
 #include "percolith/mechanics/triangle.hpp"
 #include "percolith/seepage/content.hpp"
@@ -35,7 +36,7 @@ struct JointLaw {
     out[2] = memory.opening_peak;
     out[3] = memory.slip_peak;
     out[4] = memory.damage;
-    out[5] = material::stored_energy(t, 1e-4 * in[0], 1e-4 * in[1]);
+    out[5] = material::stored_energy(t, 1e-4 * in[0], 1e-4 * in[1], c.stiffness, memory.damage);
     out[6] = material::softening(0.5 * (in[5] + 1.0));
     const auto slid = material::friction_step(1e6 * in[6], 1e9, 1e-3 * in[7], 5e5);
     out[7] = slid.force + slid.loss;
@@ -86,6 +87,30 @@ struct JointForceLaw {
     out[5] = place.across.x;
     out[6] = 0.0;
     out[7] = 0.0;
+  }
+};
+
+/// Two triangles that mostly overlap: the force of contact, where it acts and how deep it goes.
+struct ContactLaw {
+  PERCOLITH_DEVICE void operator()(const double* in, double* out) const {
+    const auto triangle = [&](int first, double x, double y) {
+      return std::array<Point, 3>{Point{x + 0.2 * in[first], y + 0.2 * in[first + 1]},
+                                  Point{x + 1.0 + 0.2 * in[first + 2], y + 0.2 * in[first + 3]},
+                                  Point{x + 0.2 * in[first + 4], y + 1.0 + 0.2 * in[first + 5]}};
+    };
+    const mechanics::PairPlaces<double> pair{triangle(0, 0.0, 0.0),
+                                             triangle(6, 0.5 * in[12], 0.5 * in[13])};
+    const std::array<double, 2> area{mechanics::twice_area(pair.first),
+                                     mechanics::twice_area(pair.second)};
+    const auto force = mechanics::overlap_force(pair, mechanics::pair_sides(pair), area, {1e9, 2e9});
+    out[0] = force.total.x;
+    out[1] = force.total.y;
+    out[2] = force.on[0][1].x;
+    out[3] = force.on[1][2].y;
+    out[4] = force.centre[0][0];
+    out[5] = force.centre[1][1];
+    out[6] = mechanics::extent_along(force, Point{0.6, 0.8});
+    out[7] = force.on[1][0].x;
   }
 };
 
@@ -177,6 +202,10 @@ TEST(LawsOnGpu, Triangle) {
 
 TEST(LawsOnGpu, JointForces) {
   compare(JointForceLaw{});
+}
+
+TEST(LawsOnGpu, Contact) {
+  compare(ContactLaw{});
 }
 
 TEST(LawsOnGpu, Flow) {

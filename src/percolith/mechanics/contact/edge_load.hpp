@@ -53,7 +53,7 @@ struct EdgeLines {
   Real rising_middle, rising_falling, middle_falling;  ///< crossings
 
   /// From the coordinates where the edge starts and where it ends.
-  EdgeLines(const std::array<Real, 3>& first, const std::array<Real, 3>& last)
+  PERCOLITH_DEVICE EdgeLines(const std::array<Real, 3>& first, const std::array<Real, 3>& last)
       : rising{first[0], last[0] - first[0]}, middle{first[1], last[1] - first[1]},
         falling{first[2], last[2] - first[2]} {
     steeper_first(rising, middle);
