@@ -80,10 +80,45 @@ TEST(SolidRuns, AStretchedBlockBreaksWithEventsThatAreAccountedFor) {
     released += event.released_energy;
   }
   EXPECT_EQ(recorder.events.front().mode, BreakMode::tensile);
+  for (const auto& [mode, name] :
+       {std::pair{BreakMode::tensile, "tensile"}, std::pair{BreakMode::shear, "shear"},
+        std::pair{BreakMode::mixed, "mixed"}}) {
+    EXPECT_EQ(value_of(summary.mechanics, std::string("broken_joints_") + name),
+              static_cast<double>(std::count_if(
+                  recorder.events.begin(), recorder.events.end(),
+                  [wanted = mode](const BreakEvent& event) { return event.mode == wanted; })));
+  }
   EXPECT_GT(value_of(summary.mechanics, "fracture_J_per_m"), 0.9 * released);
   // The broken joints are in the picture of the cracks.
   const CrackFrame& cracks = recorder.frames.back().cracks;
   EXPECT_GE(cracks.segments.size(), recorder.events.size());
+}
+
+TEST(SolidRuns, PeaksOfReactionsAreThoseOfTheHistory) {
+  simulation::Setup setup = test::solid_setup();
+  setup.boundary["left"] = test::on("left");
+  setup.boundary["left"].fixed = true;
+  setup.boundary["right"] = test::on("right");
+  setup.boundary["right"].velocity_x = Schedule::constant(1.0);
+  setup.time.end = 3e-3;
+  test::SolidRecorder recorder;
+  const Summary summary = test::run(setup, test::make_grid(grid), recorder);
+  ASSERT_EQ(summary.peak_reactions.size(), 2u);
+  for (const PeakReaction& peak : summary.peak_reactions) {
+    double largest = 0.0;
+    for (const HistoryRow& row : recorder.history) {
+      const double reaction = value_of(row.mechanics, peak.name + ".reaction_x_N_per_m");
+      if (row.time == peak.x_time) {
+        EXPECT_EQ(reaction, peak.x);
+      }
+      largest = std::max(largest, std::abs(reaction));
+    }
+    EXPECT_EQ(std::abs(peak.x), largest);
+  }
+  EXPECT_EQ(summary.peak_reactions[0].name, "boundary.left");
+  EXPECT_LT(summary.peak_reactions[0].x, 0.0);
+  EXPECT_GT(summary.peak_reactions[0].x_time, 0.0);
+  EXPECT_LT(summary.peak_reactions[0].x_time, summary.end_time);
 }
 
 TEST(SolidRuns, TwoRunsAreEqual) {
