@@ -21,6 +21,10 @@ TEST(CsvLine, PrintsTheFewestDigitsThatReadBack) {
   EXPECT_EQ(CsvLine().add(std::numeric_limits<double>::quiet_NaN()).text(), "nan\n");
 }
 
+TEST(CsvLine, PrintsZeroWithoutASign) {
+  EXPECT_EQ(CsvLine().add(-0.0).add(0.0).add(-1e-300).text(), "0,0,-1e-300\n");
+}
+
 TEST(CsvLine, QuotesTextThatNeedsIt) {
   EXPECT_EQ(CsvLine().add(std::string_view("a,b")).add(std::string_view("say \"x\"")).text(),
             "\"a,b\",\"say \"\"x\"\"\"\n");
