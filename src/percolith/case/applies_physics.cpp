@@ -10,7 +10,7 @@ namespace {
 using simulation::Physics;
 using simulation::Setup;
 
-constexpr std::array<std::string_view, 23> of_seepage{{
+constexpr std::array<std::string_view, 24> of_seepage{{
     "model.head_datum",
     "model.pore_joints",
     "model.joint_factor",
@@ -34,6 +34,7 @@ constexpr std::array<std::string_view, 23> of_seepage{{
     "time.initial_step",
     "time.maximum_step",
     "time.tolerance",
+    "probe.*.in",
 }};
 
 constexpr std::array<std::string_view, 45> of_mechanics{{
