@@ -60,7 +60,8 @@ struct Frame {
 /// One row of a probe: quantities that do not exist there (head without gravity, aperture in the
 /// matrix) are absent from `values`. Keys carry units: `pressure_Pa`, `head_m`, `saturation`,
 /// `flux_x_m_per_s`, `flux_y_m_per_s`; in cracks `aperture_m`, `flux_x_m2_per_s`,
-/// `flux_y_m2_per_s`.
+/// `flux_y_m2_per_s`; in mechanics `displacement_x_m` and so on. A value is not a number where the
+/// rock was taken out.
 struct ProbeRow {
   Point place;  ///< m
   std::vector<double> values;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace percolith::simulation {
 namespace {
@@ -182,9 +183,31 @@ CrackFrame solid_crack_frame(const SolidRun& run) {
   return frame;
 }
 
-std::vector<ProbeSample> read_solid_probes(const SolidRun& run) {
-  const mechanics::Model& model = run.dynamics.model();
+namespace {
+
+/// Displacement, velocity and stress at a place; none of them is a number where the rock is gone.
+std::vector<double> probe_values(const mechanics::Model& model,
+                                 const mesh::PlaceInTriangle& place) {
+  const auto& [triangle, weight] = place;
+  if (!is_there(model, triangle)) {
+    return std::vector<double>(7, std::numeric_limits<double>::quiet_NaN());
+  }
   const mechanics::Motion& m = model.motion;
+  std::array<double, 4> mean{};
+  for (Index k = 0; k < 3; ++k) {
+    const auto c = at(mesh::corner_of(triangle, k));
+    const std::array<double, 4> here{m.ux[c], m.uy[c], m.vx[c], m.vy[c]};
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      mean[i] += weight[at(k)] * here[i];
+    }
+  }
+  const Tensor s = mechanics::triangle_stress(model, triangle).plane;
+  return {mean[0], mean[1], mean[2], mean[3], s.xx, s.yy, s.xy};
+}
+
+}  // namespace
+
+std::vector<ProbeSample> read_solid_probes(const SolidRun& run) {
   std::vector<ProbeSample> samples;
   for (const LocatedProbe& probe : run.probes.probes) {
     ProbeSample sample{probe.name,
@@ -192,17 +215,7 @@ std::vector<ProbeSample> read_solid_probes(const SolidRun& run) {
                         "velocity_y_m_per_s", "stress_xx_Pa", "stress_yy_Pa", "stress_xy_Pa"},
                        {}};
     for (const ProbeTarget& target : probe.targets) {
-      const auto& [triangle, weight] = target.in_matrix;
-      std::array<double, 4> mean{};
-      for (Index k = 0; k < 3; ++k) {
-        const auto c = at(mesh::corner_of(triangle, k));
-        const std::array<double, 4> here{m.ux[c], m.uy[c], m.vx[c], m.vy[c]};
-        for (std::size_t i = 0; i < here.size(); ++i) {
-          mean[i] += weight[at(k)] * here[i];
-        }
-      }
-      const Tensor s = mechanics::triangle_stress(model, triangle).plane;
-      sample.rows.push_back({target.place, {mean[0], mean[1], mean[2], mean[3], s.xx, s.yy, s.xy}});
+      sample.rows.push_back({target.place, probe_values(run.dynamics.model(), target.in_matrix)});
     }
     samples.push_back(std::move(sample));
   }

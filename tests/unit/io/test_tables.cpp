@@ -110,6 +110,13 @@ TEST(Probes, WriteOneLineAPoint) {
   EXPECT_EQ(probe_lines(10, sample), "10,0,1,50000,1\n10,0.5,1,40000,0.5\n");
 }
 
+TEST(Probes, LeaveTheCellsEmptyWhereThereIsNoRock) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const simulation::ProbeSample sample{
+      "tunnel", {"velocity_x_m_per_s", "stress_xx_Pa"}, {{{0, 1}, {none, none}}}};
+  EXPECT_EQ(probe_lines(10, sample), "10,0,1,,\n");
+}
+
 TEST(Probes, RefuseRowsThatDoNotFitTheColumns) {
   const simulation::ProbeSample sample{"line", {"pressure_Pa"}, {{{0, 1}, {}}}};
   EXPECT_THROW((void)probe_lines(0, sample), std::invalid_argument);

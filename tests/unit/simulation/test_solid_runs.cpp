@@ -219,6 +219,9 @@ TEST(SolidRuns, AnExcavationComesToRest) {
     setup.boundary[side].fixed = true;
   }
   setup.excavation["tunnel"] = {{"tunnel"}, 1e-4, 5e-4};
+  setup.probe["line"].from = std::array<double, 2>{0.1, 0.5};
+  setup.probe["line"].to = std::array<double, 2>{0.51, 0.5};
+  setup.probe["line"].points = 2;
   setup.damping.local = 0.7;
   setup.time.end = 1.0;
   setup.time.stop_ratio = 1e-5;
@@ -226,6 +229,17 @@ TEST(SolidRuns, AnExcavationComesToRest) {
   const Summary summary = test::run(setup, file, recorder);
   EXPECT_TRUE(summary.reached_rest);
   EXPECT_GT(summary.end_time, 6e-4);
+  const auto values_of = [](const std::vector<ProbeSample>& samples, std::size_t row) {
+    return samples.at(0).rows.at(row).values;
+  };
+  const auto is_number = [](double value) { return !std::isnan(value); };
+  for (const double value : values_of(recorder.probes.back(), 1)) {
+    EXPECT_TRUE(std::isnan(value));
+  }
+  for (const auto& values :
+       {values_of(recorder.probes.front(), 1), values_of(recorder.probes.back(), 0)}) {
+    EXPECT_TRUE(std::all_of(values.begin(), values.end(), is_number));
+  }
   EXPECT_EQ(recorder.frames.front().matrix.triangles.size(), 72u);
   EXPECT_EQ(recorder.frames.back().matrix.triangles.size(), 64u);
   EXPECT_GT(largest_displacement(recorder.frames.back()), 1e-6);
