@@ -17,6 +17,11 @@ bool is_there(const mechanics::Model& model, Index t) {
   return model.triangles.inverse_mass[at(t)] > 0.0;
 }
 
+Point centre_of(const mesh::Mesh& mesh, Index t) {
+  const auto p = mesh.triangle_points(t);
+  return (1.0 / 3.0) * (p[0] + p[1] + p[2]);
+}
+
 /// Largest damage of the joints round each triangle; 1 where one is broken.
 std::vector<double> triangle_damage(const mechanics::Model& model) {
   std::vector<double> damage(at(model.mesh.triangles()), 0.0);
@@ -46,7 +51,8 @@ struct TriangleFields {
     xx.push_back(stress.plane.xx);
     yy.push_back(stress.plane.yy);
     xy.push_back(stress.plane.xy);
-    zz.push_back(stress.across);
+    zz.push_back(stress.across +
+                 in_situ_across(run.setup.in_situ.value_or(InSitu{}), centre_of(model.mesh, t)));
     first.push_back(p.first);
     second.push_back(p.second);
     direction.push_back(p.direction);

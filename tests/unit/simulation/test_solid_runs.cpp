@@ -29,7 +29,7 @@ double largest_displacement(const Frame& frame) {
 TEST(SolidRuns, InSituStressStaysAtRest) {
   simulation::Setup setup = test::solid_setup();
   setup.model.gravity = 9.81;
-  setup.in_situ = InSitu{-6e6, -8e6, 1e6, 10000.0, 2500.0 * 9.81, 0.0, 1.0};
+  setup.in_situ = InSitu{-6e6, -8e6, 1e6, 10000.0, 2500.0 * 9.81, 0.0, 1.0, -5e6, 3e5};
   for (const char* side : {"left", "right", "top"}) {
     setup.boundary[side] = test::on(side);
     setup.boundary[side].in_situ = true;
@@ -43,6 +43,13 @@ TEST(SolidRuns, InSituStressStaysAtRest) {
     EXPECT_LT(largest_displacement(recorder.frames.back()), 1e-13);
     EXPECT_LT(value_of(summary.mechanics, "unbalanced_ratio"), 1e-10);
     EXPECT_NEAR(test::cell_values(recorder.frames.back(), "stress_xy_Pa")[3], 1e6, 1.0);
+    const MatrixFrame& matrix = recorder.frames.back().matrix;
+    double height = 0.0;
+    for (const auto point : matrix.triangles[3]) {
+      height += matrix.points[static_cast<std::size_t>(point)].y / 3.0;
+    }
+    EXPECT_NEAR(test::cell_values(recorder.frames.back(), "stress_zz_Pa")[3],
+                -5e6 + 3e5 * (height - 1.0), 1.0);
     // The bottom carries what the in-situ stress presses it with.
     EXPECT_NEAR(value_of(summary.last.mechanics, "boundary.bottom.reaction_y_N_per_m"),
                 8e6 + 2500.0 * 9.81, 1.0);
