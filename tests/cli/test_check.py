@@ -31,6 +31,11 @@ def test_tells_what_each_kind_of_joint_means(percolith):
         assert re.search(rf"^  {re.escape(kind)} +\d+$", done.stdout, re.MULTILINE), kind
 
 
+def test_the_case_of_the_readme_draws_no_warning(percolith):
+    done = percolith("check", ROOT / "examples/brazilian/case.toml")
+    assert (done.returncode, done.stderr) == (0, "")
+
+
 def test_limits_come_smallest_first_and_one_rules(percolith, six_fractures):
     text = percolith("check", six_fractures).stdout
     found = limits(text)
