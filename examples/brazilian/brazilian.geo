@@ -4,7 +4,7 @@
 // vary so that no direction is preferred. size: mean element size, m.
 // gmsh -2 -format msh41 -bin -o brazilian.msh brazilian.geo
 // and with -setnumber straight 1 as brazilian_straight.msh
-DefineConstant[ size = 0.002, straight = 0 ];
+DefineConstant[ size = 0.0016, straight = 0 ];
 Mesh.Algorithm = 5;
 r = 0.05;
 half = 6*Pi/180;

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scales of the axes: SI values in the unit that suits their size."""
+"""Scales of the axes: SI values in the unit that suits their size. Values that are missing (NaN)
+do not count."""
 
 from __future__ import annotations
 
@@ -34,13 +35,13 @@ def _largest_below(steps: list[tuple[float, str]], size: float) -> Scale:
 
 def pressure_scale(values) -> Scale:
     """Pa to GPa, by the largest value."""
-    size = float(np.max(np.abs(values), initial=0.0))
+    size = float(np.nanmax(np.abs(values), initial=0.0))
     return _largest_below(_PRESSURE, size) if size > 0 else Scale(1.0, "Pa")
 
 
 def time_scale(values) -> Scale:
     """Microseconds to days, by the largest value: 0.2 s, but 20 ms."""
-    size = float(np.max(np.abs(values), initial=0.0))
+    size = float(np.nanmax(np.abs(values), initial=0.0))
     if size == 0 or 0.1 <= size < 60:
         return Scale(1.0, "s")
     return _largest_below(_TIME, size)
@@ -66,7 +67,7 @@ def prefix_scale(values, unit: str) -> Scale:
 
 def power_scale(values, unit: str) -> Scale:
     """A power of ten times `unit`, for quantities without a usual prefix."""
-    size = float(np.max(np.abs(values), initial=0.0))
+    size = float(np.nanmax(np.abs(values), initial=0.0))
     if size == 0 or 0.01 <= size < 1e4:
         return Scale(1.0, unit)
     power = int(np.floor(np.log10(size)))

@@ -3,7 +3,7 @@
 
 import re
 
-from conftest import line_of
+from conftest import ROOT, line_of
 
 
 def limits(text: str) -> dict[str, float]:
@@ -20,6 +20,20 @@ def test_prints_mesh_model_and_limits(percolith, six_fractures):
                  "fracture network: ", "pore nodes", "crack nodes"]:
         assert word in done.stdout
     assert done.stdout.endswith("The case can be run.\n")
+
+
+def test_tells_what_each_kind_of_joint_means(percolith):
+    done = percolith("check", ROOT / "examples/compression/case.toml")
+    assert done.returncode == 0, done.stderr
+    for kind in ["bonded joints (may break)", "closed joints (broken from the start, faces together)",
+                 "tied joints (sides share nodes, cannot break)",
+                 "rigid joints (within one rigid body)"]:
+        assert re.search(rf"^  {re.escape(kind)} +\d+$", done.stdout, re.MULTILINE), kind
+
+
+def test_the_case_of_the_readme_draws_no_warning(percolith):
+    done = percolith("check", ROOT / "examples/brazilian/case.toml")
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 def test_limits_come_smallest_first_and_one_rules(percolith, six_fractures):

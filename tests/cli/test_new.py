@@ -16,7 +16,9 @@ def test_lists_the_examples_with_their_titles(percolith):
 def test_copies_an_example_that_can_be_checked(percolith, tmp_path):
     done = percolith("new", "strip", "mine")
     assert done.returncode == 0
-    assert done.stdout == "Copied strip to mine. Next: percolith run mine/case.toml\n"
+    assert done.stdout == ("Copied strip to mine. Next:\n"
+                           "  percolith check mine/case.toml\n"
+                           "  percolith run mine/case.toml\n")
     assert files_of(tmp_path / "mine")["case.toml"] == (
         ROOT / "examples/strip/case.toml").read_bytes()
     assert percolith("check", "mine/case.toml").returncode == 0

@@ -7,7 +7,7 @@ import tomllib
 
 import pytest
 
-from conftest import SHORT, STEADY, files_of, line_of
+from conftest import ROOT, SHORT, STEADY, files_of, line_of
 
 
 def rows_of(path):
@@ -82,6 +82,30 @@ def test_set_replaces_options(percolith, strip, tmp_path):
     assert done.returncode == 0, done.stderr
     summary = json.loads((tmp_path / "out/summary.json").read_text())
     assert summary["extremes"]["maximum_pressure_Pa"] == pytest.approx(2e5)
+
+
+def test_mechanics_sums_up_what_it_came_to(percolith, tmp_path):
+    done = percolith("run", ROOT / "examples/incline/case.toml", "--set", "time.end=1 ms",
+                     "--set", "output=", "--output", "out")
+    assert done.returncode == 0, done.stderr
+    summary = json.loads((tmp_path / "out/summary.json").read_text())
+    assert "rejected_steps" not in summary and "iterations" not in summary
+    results = summary["mechanics"]
+    counts = [results[name] for name in ("broken_joints", "broken_joints_tensile",
+                                         "broken_joints_shear", "broken_joints_mixed",
+                                         "closed_joints", "fragments")]
+    assert all(isinstance(count, int) for count in counts)
+    slope = results["peak_reactions"]["body.slope"]
+    history = rows_of(tmp_path / "out/history.csv")
+    reactions = {float(row["time_s"]): float(row["body.slope.reaction_y_N_per_m"])
+                 for row in history}
+    assert abs(slope["y_N_per_m"]) == max(map(abs, reactions.values()))
+    assert reactions[slope["y_time_s"]] == slope["y_N_per_m"]
+    assert not any("-0" in row.values() for row in history)
+    lines = done.stdout.splitlines()[-3:]
+    assert lines[0] == "joints that broke: 0 (0 in tension, 0 in shear, 0 mixed)"
+    assert lines[1].startswith("largest reaction of body.slope: x ")
+    assert lines[1] in (tmp_path / "out/run.log").read_text()
 
 
 def test_fields_can_be_left_out(percolith, strip, tmp_path):

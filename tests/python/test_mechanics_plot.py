@@ -54,6 +54,17 @@ def test_an_intact_block_has_no_fragments_and_no_events_to_draw(tmp_path, capsys
     assert "fragments.png" not in drawn and "events.png" not in drawn
 
 
+def test_a_probe_in_an_excavation_is_drawn_as_far_as_there_was_rock(tmp_path, capsys):
+    directory = write_mechanics_run(tmp_path / "results")
+    probe = directory / "probes/axis.csv"
+    lines = probe.read_text().splitlines()
+    place = [line.rsplit(",", 3)[0] for line in lines[31:]]
+    probe.write_text("\n".join(lines[:31] + [f"{start},,," for start in place]) + "\n")
+    assert np.isnan(RunDirectory(directory).probe("axis")["stress_yy_Pa"]).sum() == 60
+    assert plot.main([str(directory)]) == 0
+    assert "probes.png" in names(capsys.readouterr().out)
+
+
 def test_tables(directory):
     run = RunDirectory(directory)
     assert run.is_mechanics and not run.is_steady

@@ -95,3 +95,6 @@ def test_scales():
     assert format_time(36, time_scale([10800.0])) == "0.01 h"
     assert power_scale([3e-6], "m/s").factor == pytest.approx(1e-6)
     assert power_scale([120.0], "m").label("Head") == "Head (m)"
+    assert pressure_scale([2e7, float("nan")]).unit == "MPa"
+    assert power_scale([float("nan"), 3e-6], "m/s").factor == pytest.approx(1e-6)
+    assert power_scale([float("nan")], "m/s").unit == "m/s"

@@ -120,6 +120,22 @@ std::string_view physics_of(std::string_view pattern) {
   return rule->condition == needs_mechanics ? "mechanics" : "seepage";
 }
 
+bool has_option(std::string_view physics, std::string_view pattern) {
+  const auto is_foreign = [&](const std::string& part) {
+    const std::string_view of = physics_of(part);
+    return !of.empty() && !physics.empty() && of != physics;
+  };
+  // What a table needs its options need too, and tables with names are listed by their star.
+  for (std::size_t end = 0; end != std::string_view::npos;) {
+    end = pattern.find('.', end + 1);
+    const std::string part(pattern.substr(0, end));
+    if (is_foreign(part) || is_foreign(part + ".*")) {
+      return false;
+    }
+  }
+  return true;
+}
+
 std::string why_unused(const std::string& key, const Setup& setup) {
   const Path path = split_path(key);
   const std::string name = path.size() > 1 ? path[1] : std::string();

@@ -27,6 +27,10 @@ struct Applicability {
 /// has no effect; "" where it belongs to both.
 [[nodiscard]] std::string_view physics_of(std::string_view pattern);
 
+/// Whether a case of the physics has the option or table at the path `pattern`; true for every one
+/// where `physics` is "".
+[[nodiscard]] bool has_option(std::string_view physics, std::string_view pattern);
+
 /// What the option or table at `key` would need to have an effect in this setup; "" where it has
 /// one.
 [[nodiscard]] std::string why_unused(const std::string& key, const simulation::Setup& setup);

@@ -10,7 +10,7 @@ namespace {
 using simulation::Physics;
 using simulation::Setup;
 
-constexpr std::array<std::string_view, 23> of_seepage{{
+constexpr std::array<std::string_view, 24> of_seepage{{
     "model.head_datum",
     "model.pore_joints",
     "model.joint_factor",
@@ -34,6 +34,7 @@ constexpr std::array<std::string_view, 23> of_seepage{{
     "time.initial_step",
     "time.maximum_step",
     "time.tolerance",
+    "probe.*.in",
 }};
 
 constexpr std::array<std::string_view, 45> of_mechanics{{
@@ -114,8 +115,12 @@ bool is_free(const Setup& setup, const std::string& name) {
 
 bool has_gradient(const Setup& setup, const std::string& /*name*/) {
   const auto& stress = setup.in_situ;
-  return stress &&
-         (stress->gradient_xx != 0.0 || stress->gradient_yy != 0.0 || stress->gradient_xy != 0.0);
+  return stress && (stress->gradient_xx != 0.0 || stress->gradient_yy != 0.0 ||
+                    stress->gradient_xy != 0.0 || stress->gradient_zz != 0.0);
+}
+
+bool is_plane_strain(const Setup& setup, const std::string& /*name*/) {
+  return setup.model.plane == simulation::Plane::strain;
 }
 
 void add_materials(std::vector<Applicability>& rules) {
@@ -177,10 +182,17 @@ std::vector<Applicability> needs_within_mechanics() {
     rules.push_back(
         {std::string("body.*.initial_") + option, {"body.*.rigid"}, is_free, "rigid = false"});
   }
-  rules.push_back({"in_situ.datum",
-                   {"in_situ.gradient_xx", "in_situ.gradient_yy", "in_situ.gradient_xy"},
-                   has_gradient,
-                   "a gradient"});
+  rules.push_back(
+      {"in_situ.datum",
+       {"in_situ.gradient_xx", "in_situ.gradient_yy", "in_situ.gradient_xy", "in_situ.gradient_zz"},
+       has_gradient,
+       "a gradient"});
+  for (const char* const option : {"stress_zz", "gradient_zz"}) {
+    rules.push_back({std::string("in_situ.") + option,
+                     {"model.plane"},
+                     is_plane_strain,
+                     "model.plane = \"strain\""});
+  }
   return rules;
 }
 

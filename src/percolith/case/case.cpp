@@ -3,6 +3,7 @@
 
 #include "percolith/case/describe.hpp"
 #include "percolith/case/overrides.hpp"
+#include "percolith/case/path.hpp"
 #include "percolith/case/reader.hpp"
 #include "percolith/case/rules.hpp"
 #include "percolith/case/toml_parser.hpp"
@@ -42,6 +43,20 @@ Node parse(std::string_view text, const std::string& file) {
   } catch (const InputError& error) {
     throw InputErrors({error.problem()});
   }
+}
+
+/// The physics that the case asks for, known before its options are read.
+std::string_view physics_of_case(const Node& root) {
+  const Node* node = find_at(root, {"model", "physics"});
+  if (node == nullptr) {
+    return "seepage";
+  }
+  for (const std::string_view physics : {"seepage", "mechanics"}) {
+    if (node->text() != nullptr && *node->text() == physics) {
+      return physics;
+    }
+  }
+  return {};
 }
 
 /// Mechanics knows one scheme, which a case need not name.
@@ -86,7 +101,7 @@ Case read_case_text(std::string_view text, const std::filesystem::path& file,
   apply_overrides(root, overrides, problems);
   check_format(root);
   result.warnings = apply_renames(root, renames, problems);
-  Context context{units, result.directory, problems, result.locations};
+  Context context{units, result.directory, problems, result.locations, physics_of_case(root)};
   Reader reader(root, {}, context);
   describe(reader, result.setup);
   reader.finish();

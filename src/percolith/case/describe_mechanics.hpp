@@ -110,12 +110,19 @@ void describe(V& option, simulation::InSitu& m) {
                                "Normal stress along y at the datum, tension positive."});
   option(m.stress_xy,
          Quantity{"stress_xy", "Pa", finite, Need::optional, "Shear stress at the datum."});
+  option(m.stress_zz, Quantity{"stress_zz", "Pa", finite, Need::optional,
+                               "Normal stress across the plane at the datum, tension positive: a "
+                               "part of the field stress_zz. Needs plane = \"strain\"."});
   option(m.gradient_xx, Quantity{"gradient_xx", "Pa/m", finite, Need::optional,
                                  "Growth of the normal stress along x per metre of elevation."});
   option(m.gradient_yy, Quantity{"gradient_yy", "Pa/m", finite, Need::optional,
                                  "Growth of the normal stress along y per metre of elevation."});
   option(m.gradient_xy, Quantity{"gradient_xy", "Pa/m", finite, Need::optional,
                                  "Growth of the shear stress per metre of elevation."});
+  option(m.gradient_zz,
+         Quantity{"gradient_zz", "Pa/m", finite, Need::optional,
+                  "Growth of the normal stress across the plane per metre of elevation. Needs "
+                  "plane = \"strain\"."});
   option(m.datum, Quantity{"datum", "m", finite, Need::optional,
                            "Elevation y at which the stresses hold. Needs a gradient."});
 }

@@ -16,7 +16,8 @@ void describe(V& option, simulation::Stepping& m) {
                                    {Scheme::steady, "steady"}},
                                   "implicit takes long, error-controlled steps; explicit takes "
                                   "small ones below its stability limit; steady finds the state "
-                                  "that no longer changes. Mechanics is always explicit."});
+                                  "that no longer changes. Mechanics is always explicit.",
+                                  "explicit"});
   option(m.end, Quantity{"end", "s", positive, Need::optional,
                          "Time at which the run ends. Needs implicit or explicit.",
                          "required unless steady"});

@@ -20,6 +20,8 @@ struct Context {
   std::filesystem::path directory;  ///< files named in the case are relative to it
   Problems& problems;
   KeyLocations& locations;
+  /// Physics of the case as it is written, "seepage" or "mechanics"; "" where it is neither.
+  std::string_view physics = {};
 };
 
 /// Adds a problem with the value that stands in `node`.

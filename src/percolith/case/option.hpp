@@ -79,7 +79,8 @@ struct Count {
   std::string_view help;
 };
 
-/// One of a few names, each standing for a value of an enumeration.
+/// One of a few names, each standing for a value of an enumeration. `in_mechanics` is the only one
+/// of them that mechanics has, and its default there; "" where it has them all.
 template <class Enumeration>
 struct Choice {
   struct Name {
@@ -89,6 +90,7 @@ struct Choice {
   std::string_view name;
   std::vector<Name> names;
   std::string_view help;
+  std::string_view in_mechanics = {};
 };
 
 /// A table that exists once, `[name]`.

@@ -64,7 +64,7 @@ bool Reader::check_name(const Entry& entry, const std::string& path) {
 void Reader::finish() {
   for (const Entry& entry : table_.table()->list) {
     if (std::find(known_.begin(), known_.end(), entry.key) == known_.end()) {
-      context_.problems.add(unknown_key(entry, path_, known_));
+      context_.problems.add(unknown_key(entry, path_, known_, context_.physics));
     }
   }
 }

@@ -78,13 +78,16 @@ void Reader::operator()(Enumeration& member, const Choice<Enumeration>& option) 
   if (node == nullptr) {
     return;
   }
+  const bool one_only = context_.physics == "mechanics" && !option.in_mechanics.empty();
   std::vector<std::string_view> names;
   for (const auto& choice : option.names) {
     if (node->text() != nullptr && *node->text() == choice.name) {
       member = choice.value;
       return;
     }
-    names.push_back(choice.name);
+    if (!one_only || choice.name == option.in_mechanics) {
+      names.push_back(choice.name);
+    }
   }
   refuse_choice(*node, option.name, names);
 }

@@ -82,6 +82,11 @@ public:
         chosen = fmt::format("`\"{}\"`", choice.name);
       }
     }
+    if (!option.in_mechanics.empty()) {
+      const std::string only = fmt::format("; in mechanics `\"{}\"`", option.in_mechanics);
+      names += only;
+      chosen += only;
+    }
     row(option.name, "choice", names, chosen, option.help);
   }
   template <class Struct>

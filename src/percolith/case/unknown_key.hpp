@@ -11,8 +11,10 @@
 namespace percolith::case_file {
 
 /// The problem of a key that the table `path` does not have: names the tables that do have it, or
-/// else the nearest of the `known` names.
+/// else the nearest of the `known` names. Only what a case of `physics` has is named, everything
+/// where that is "".
 [[nodiscard]] InputProblem unknown_key(const Entry& entry, const std::string& path,
-                                       const std::vector<std::string_view>& known);
+                                       const std::vector<std::string_view>& known,
+                                       std::string_view physics);
 
 }  // namespace percolith::case_file

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 namespace percolith::cli {
 namespace {
@@ -38,6 +39,13 @@ std::string node_text(const simulation::CheckReport& report) {
                      report.pore_nodes, report.crack_nodes, report.unknowns);
 }
 
+// Counts in full, however large.
+std::string number_text(const std::variant<double, std::int64_t>& value) {
+  const double* real = std::get_if<double>(&value);
+  return real != nullptr ? fmt::format("{:.5g}", *real)
+                         : fmt::format("{}", std::get<std::int64_t>(value));
+}
+
 std::string mechanics_text(const simulation::CheckReport& report) {
   std::size_t width = 0;
   for (const auto& [name, value] : report.mechanics) {
@@ -45,7 +53,7 @@ std::string mechanics_text(const simulation::CheckReport& report) {
   }
   std::string text = "Mechanics\n";
   for (const auto& [name, value] : report.mechanics) {
-    text += fmt::format("  {:<{}}  {:>10.5g}\n", name, width, value);
+    text += fmt::format("  {:<{}}  {:>10}\n", name, width, number_text(value));
   }
   return text;
 }

@@ -57,8 +57,9 @@ int copy_example(const NewOptions& options) {
   }
   const std::filesystem::path target = options.folder.value_or(example->name);
   copy_folder(example->folder, target);
-  print(fmt::format("Copied {} to {}. Next: percolith run {}\n", example->name, target.string(),
-                    (target / "case.toml").string()));
+  const std::string file = (target / "case.toml").string();
+  print(fmt::format("Copied {} to {}. Next:\n  percolith check {}\n  percolith run {}\n",
+                    example->name, target.string(), file, file));
   return static_cast<int>(ExitCode::success);
 }
 

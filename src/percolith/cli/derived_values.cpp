@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <variant>
+
 namespace percolith::cli {
 
 std::vector<case_file::DerivedValue> derived_values(const simulation::CheckReport& report,
@@ -16,7 +18,8 @@ std::vector<case_file::DerivedValue> derived_values(const simulation::CheckRepor
   }
   derived.push_back({"smallest edge", fmt::format("{}", report.smallest_edge), "m"});
   for (const auto& [name, value] : report.mechanics) {
-    derived.push_back({name, fmt::format("{}", value), ""});
+    derived.push_back(
+        {name, std::visit([](auto number) { return fmt::format("{}", number); }, value), ""});
   }
   for (const simulation::StepLimit& limit : report.limits) {
     derived.push_back(

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <string_view>
+#include <variant>
 
 namespace percolith::cli {
 namespace {
@@ -16,16 +19,25 @@ std::string end_text(const simulation::Summary& summary, bool is_steady) {
                      summary.reached_rest ? ", at rest" : "");
 }
 
+template <class Number>
+std::optional<Number> result_of(const simulation::Summary& summary, std::string_view name) {
+  const auto result =
+      std::find_if(summary.mechanics.begin(), summary.mechanics.end(),
+                   [&](const simulation::NamedResult& named) { return named.first == name; });
+  return result == summary.mechanics.end() ? std::nullopt
+                                           : std::optional(std::get<Number>(result->second));
+}
+
 std::string balance_text(const simulation::Summary& summary) {
   if (summary.mechanics.empty()) {
     return fmt::format(", mass balance error {:.1e}", summary.last.balance.relative_error);
   }
-  const auto error = std::find_if(
-      summary.mechanics.begin(), summary.mechanics.end(),
-      [](const simulation::NamedValue& value) { return value.first == "energy_error"; });
-  return error == summary.mechanics.end()
-             ? ""
-             : fmt::format(", energy balance error {:.1e}", error->second);
+  const auto error = result_of<double>(summary, "energy_error");
+  return error ? fmt::format(", energy balance error {:.1e}", *error) : "";
+}
+
+std::string peak_text(const char* axis, double reaction, double time) {
+  return fmt::format("{} {:.5g} N/m at {:.4g} s", axis, reaction, time);
 }
 
 }  // namespace
@@ -34,6 +46,26 @@ std::string finish_text(const simulation::Summary& summary, bool is_steady,
                         const std::filesystem::path& folder) {
   return fmt::format("finished {}{}; results in {}", end_text(summary, is_steady),
                      balance_text(summary), folder.string());
+}
+
+std::vector<std::string> result_lines(const simulation::Summary& summary) {
+  std::vector<std::string> lines;
+  const auto count = [&](const char* name) {
+    return result_of<std::int64_t>(summary, name).value_or(0);
+  };
+  if (!summary.mechanics.empty()) {
+    lines.push_back(fmt::format("joints that broke: {} ({} in tension, {} in shear, {} mixed)",
+                                count("broken_joints"), count("broken_joints_tensile"),
+                                count("broken_joints_shear"), count("broken_joints_mixed")));
+  }
+  for (const simulation::PeakReaction& peak : summary.peak_reactions) {
+    if (peak.x != 0.0 || peak.y != 0.0) {
+      lines.push_back(fmt::format("largest reaction of {}: {}, {}", peak.name,
+                                  peak_text("x", peak.x, peak.x_time),
+                                  peak_text("y", peak.y, peak.y_time)));
+    }
+  }
+  return lines;
 }
 
 }  // namespace percolith::cli

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace percolith::cli {
 
@@ -12,5 +13,9 @@ namespace percolith::cli {
 /// mass, in mechanics of energy) and the folder with its results.
 [[nodiscard]] std::string finish_text(const simulation::Summary& summary, bool is_steady,
                                       const std::filesystem::path& folder);
+
+/// What a run of mechanics came to, a line each: joints that broke by their mode, and the largest
+/// reactions (N/m) of the boundaries and bodies that had any. Without a line in a run of flow.
+[[nodiscard]] std::vector<std::string> result_lines(const simulation::Summary& summary);
 
 }  // namespace percolith::cli

@@ -108,9 +108,13 @@ void RunRecorder::finish() {
   const simulation::Setup& setup = model_.read_case.setup;
   const bool is_steady = setup.model.physics == simulation::Physics::seepage &&
                          setup.time.scheme == simulation::Scheme::steady;
-  const std::string text = finish_text(model_.simulation.summary(), is_steady, directory_.path());
-  log_.information(text);
-  say(text);
+  const simulation::Summary summary = model_.simulation.summary();
+  std::vector<std::string> lines = result_lines(summary);
+  lines.push_back(finish_text(summary, is_steady, directory_.path()));
+  for (const std::string& line : lines) {
+    log_.information(line);
+    say(line);
+  }
 }
 
 void RunRecorder::interrupt(int signal) {

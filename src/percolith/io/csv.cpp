@@ -14,7 +14,7 @@ void CsvLine::separate() {
 
 CsvLine& CsvLine::add(double value) {
   separate();
-  text_ += fmt::format("{}", value);
+  text_ += fmt::format("{}", value == 0.0 ? 0.0 : value);
   return *this;
 }
 

@@ -12,7 +12,7 @@
 namespace percolith::io {
 
 /// One line of a table (RFC 4180, lines end in a single newline). Numbers are printed with the
-/// fewest digits that read back to the same value.
+/// fewest digits that read back to the same value; zero has no sign.
 class CsvLine {
 public:
   CsvLine& add(double value);

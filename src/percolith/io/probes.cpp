@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace percolith::io {
@@ -29,7 +30,11 @@ std::string probe_lines(double time, const simulation::ProbeSample& sample) {
     CsvLine line;
     line.add(time).add(row.place.x).add(row.place.y);
     for (const double value : row.values) {
-      line.add(value);
+      if (std::isnan(value)) {
+        line.add_empty();
+      } else {
+        line.add(value);
+      }
     }
     lines += line.text();
   }

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <utility>
+#include <variant>
 
 namespace percolith::io {
 namespace {
@@ -44,17 +46,27 @@ Json extremes(const simulation::HistoryRow& last, bool has_cracks) {
 }
 
 void add_flow(Json& json, const simulation::Summary& summary, bool has_cracks) {
+  json["rejected_steps"] = summary.rejected_steps;
+  json["iterations"] = summary.iterations;
   json["mass_balance"] = mass_balance(summary.last.balance);
   json["throughput_m2_per_s"] = summary.throughput;
   json["rate_m2_per_s"] = summary.last.rate;
   json["extremes"] = extremes(summary.last, has_cracks);
 }
 
-Json named(const std::vector<simulation::NamedValue>& values) {
+Json mechanics(const simulation::Summary& summary) {
   Json object = Json::object();
-  for (const auto& [name, value] : values) {
-    object[name] = value;
+  for (const auto& [name, value] : summary.mechanics) {
+    std::visit([&, &key = name](auto number) { object[key] = number; }, value);
   }
+  Json peaks = Json::object();
+  for (const simulation::PeakReaction& peak : summary.peak_reactions) {
+    peaks[peak.name] = {{"x_N_per_m", peak.x},
+                        {"x_time_s", peak.x_time},
+                        {"y_N_per_m", peak.y},
+                        {"y_time_s", peak.y_time}};
+  }
+  object["peak_reactions"] = std::move(peaks);
   return object;
 }
 
@@ -74,14 +86,12 @@ std::string summary_json(const RunRecord& record, const simulation::Summary& sum
   json["reason"] = record.reason;
   json["end_time_s"] = summary.end_time;
   json["steps"] = summary.steps;
-  json["rejected_steps"] = summary.rejected_steps;
-  json["iterations"] = summary.iterations;
   json["wall_time_s"] = wall_time;
   if (summary.mechanics.empty()) {
     add_flow(json, summary, !record.fractures.empty());
   } else {
     json["reached_rest"] = summary.reached_rest;
-    json["mechanics"] = named(summary.mechanics);
+    json["mechanics"] = mechanics(summary);
   }
   json["state_hash"] = summary.state_hash;
   json["warnings"] = summary.warnings;

@@ -25,9 +25,9 @@ struct RunRecord {
 };
 
 /// Text of `summary.json`: how the run ended, steps, wall time per phase, hash of the state; of
-/// flow the mass balance and extremes, of mechanics its named results and whether it came to rest.
-/// Keys carry units; a value that is not a number becomes null. Phases of
-/// `more_wall_time` (s) are added to the simulation's.
+/// flow rejected steps, iterations, the mass balance and extremes, of mechanics its named results,
+/// the peaks of the reactions and whether it came to rest. Keys carry units; a value that is not a
+/// number becomes null. Phases of `more_wall_time` (s) are added to the simulation's.
 [[nodiscard]] std::string summary_json(const RunRecord& record, const simulation::Summary& summary,
                                        const std::map<std::string, double>& more_wall_time);
 

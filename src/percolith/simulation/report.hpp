@@ -60,7 +60,8 @@ struct Frame {
 /// One row of a probe: quantities that do not exist there (head without gravity, aperture in the
 /// matrix) are absent from `values`. Keys carry units: `pressure_Pa`, `head_m`, `saturation`,
 /// `flux_x_m_per_s`, `flux_y_m_per_s`; in cracks `aperture_m`, `flux_x_m2_per_s`,
-/// `flux_y_m2_per_s`.
+/// `flux_y_m2_per_s`; in mechanics `displacement_x_m` and so on. A value is not a number where the
+/// rock was taken out.
 struct ProbeRow {
   Point place;  ///< m
   std::vector<double> values;
@@ -112,6 +113,17 @@ struct FragmentRow {
 /// A named number of a history row; the unit is part of the name.
 using NamedValue = std::pair<std::string, double>;
 
+/// A named result, the unit part of its name; what counts is a whole number.
+using NamedResult = std::pair<std::string, std::variant<double, std::int64_t>>;
+
+/// The largest reaction of a boundary or a body along each axis, by magnitude and with its sign,
+/// over all rows of the history; the first row that has it gives the time.
+struct PeakReaction {
+  std::string name;                   ///< option path: `boundary.top`, `body.platen`
+  double x = 0.0, y = 0.0;            ///< N/m, force on the rock
+  double x_time = 0.0, y_time = 0.0;  ///< s
+};
+
 /// One row of the history.
 struct HistoryRow {
   double time = 0.0;
@@ -142,15 +154,17 @@ struct Progress {
 struct Summary {
   double end_time = 0.0;  ///< s
   std::int64_t steps = 0;
-  std::int64_t rejected_steps = 0;
-  std::int64_t iterations = 0;
+  std::int64_t rejected_steps = 0;          ///< of flow
+  std::int64_t iterations = 0;              ///< of flow
   std::map<std::string, double> wall_time;  ///< s per phase
   HistoryRow last;
   double throughput = 0.0;    ///< m2/s that enter, in the last step or in steady state
   std::string state_hash;     ///< of all that the state of the run consists of
   bool reached_rest = false;  ///< mechanics ended by `time.stop_ratio`
-  /// Named results of mechanics: energy balance, fragments, b-value, added mass.
-  std::vector<NamedValue> mechanics;
+  /// Named results of mechanics: energy balance, broken joints by mode, fragments, b-value, added
+  /// mass.
+  std::vector<NamedResult> mechanics;
+  std::vector<PeakReaction> peak_reactions;  ///< of mechanics
   std::vector<std::string> warnings;
 };
 
@@ -195,7 +209,7 @@ struct CheckReport {
   std::vector<StepLimit> limits;
   /// Mechanics: numbers worth knowing before a run, `name` with its unit (cohesive length over
   /// element size, apparent modulus, bodies, added mass); empty in a run of flow alone.
-  std::vector<NamedValue> mechanics;
+  std::vector<NamedResult> mechanics;
   std::vector<std::string> warnings;
 };
 

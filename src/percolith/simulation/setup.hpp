@@ -124,6 +124,8 @@ struct InSitu {
   double stress_xx = 0.0, stress_yy = 0.0, stress_xy = 0.0;        ///< Pa
   double gradient_xx = 0.0, gradient_yy = 0.0, gradient_xy = 0.0;  ///< Pa/m
   double datum = 0.0;                                              ///< m
+  /// Across the plane: a part of the stress that is written out, of no effect on the motion.
+  double stress_zz = 0.0, gradient_zz = 0.0;  ///< Pa, Pa/m
   friend bool operator==(const InSitu&, const InSitu&) = default;
 };
 

@@ -22,8 +22,10 @@ struct BodyRegions {
 /// those of the fractures, in the order of their tables.
 [[nodiscard]] mechanics::Ingredients solid_ingredients(const Setup& setup, const mesh::Mesh& mesh);
 
-/// In-situ stress at a place, Pa.
+/// In-situ stress in the plane at a place, Pa.
 [[nodiscard]] Tensor in_situ_stress(const InSitu& in_situ, const Point& place);
+/// In-situ stress across the plane at a place, Pa.
+[[nodiscard]] double in_situ_across(const InSitu& in_situ, const Point& place);
 
 /// Stiffness and friction of contact, per triangle: where nothing is given as stiff across and
 /// along as the joints are.

@@ -185,10 +185,13 @@ CheckReport solid_check(const SolidRun& run) {
     report.limits.push_back({limit.mechanism, limit.step, centre_of(model.mesh, limit.triangle)});
   }
   report.mechanics = {
-      {"bodies", static_cast<double>(mechanics::find_fragments(model).area.size())},
-      {"bonded joints", static_cast<double>(count_state(model, JointState::bonded))},
-      {"broken joints", static_cast<double>(count_state(model, JointState::closed))},
-      {"tied joints", static_cast<double>(count_state(model, JointState::tied))}};
+      {"bodies (parts that hang together)",
+       static_cast<std::int64_t>(mechanics::find_fragments(model).area.size())},
+      {"bonded joints (may break)", count_state(model, JointState::bonded)},
+      {"closed joints (broken from the start, faces together)",
+       count_state(model, JointState::closed)},
+      {"tied joints (sides share nodes, cannot break)", count_state(model, JointState::tied)},
+      {"rigid joints (within one rigid body)", count_state(model, JointState::rigid)}};
   const Resolution worst = coarsest(model);
   if (worst.joint != mesh::none) {
     report.mechanics.emplace_back("smallest cohesive length over element size", worst.ratio);

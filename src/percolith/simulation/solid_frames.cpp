@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace percolith::simulation {
 namespace {
@@ -14,6 +15,11 @@ using mesh::Index;
 
 bool is_there(const mechanics::Model& model, Index t) {
   return model.triangles.inverse_mass[at(t)] > 0.0;
+}
+
+Point centre_of(const mesh::Mesh& mesh, Index t) {
+  const auto p = mesh.triangle_points(t);
+  return (1.0 / 3.0) * (p[0] + p[1] + p[2]);
 }
 
 /// Largest damage of the joints round each triangle; 1 where one is broken.
@@ -45,7 +51,8 @@ struct TriangleFields {
     xx.push_back(stress.plane.xx);
     yy.push_back(stress.plane.yy);
     xy.push_back(stress.plane.xy);
-    zz.push_back(stress.across);
+    zz.push_back(stress.across +
+                 in_situ_across(run.setup.in_situ.value_or(InSitu{}), centre_of(model.mesh, t)));
     first.push_back(p.first);
     second.push_back(p.second);
     direction.push_back(p.direction);
@@ -182,9 +189,31 @@ CrackFrame solid_crack_frame(const SolidRun& run) {
   return frame;
 }
 
-std::vector<ProbeSample> read_solid_probes(const SolidRun& run) {
-  const mechanics::Model& model = run.dynamics.model();
+namespace {
+
+/// Displacement, velocity and stress at a place; none of them is a number where the rock is gone.
+std::vector<double> probe_values(const mechanics::Model& model,
+                                 const mesh::PlaceInTriangle& place) {
+  const auto& [triangle, weight] = place;
+  if (!is_there(model, triangle)) {
+    return std::vector<double>(7, std::numeric_limits<double>::quiet_NaN());
+  }
   const mechanics::Motion& m = model.motion;
+  std::array<double, 4> mean{};
+  for (Index k = 0; k < 3; ++k) {
+    const auto c = at(mesh::corner_of(triangle, k));
+    const std::array<double, 4> here{m.ux[c], m.uy[c], m.vx[c], m.vy[c]};
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      mean[i] += weight[at(k)] * here[i];
+    }
+  }
+  const Tensor s = mechanics::triangle_stress(model, triangle).plane;
+  return {mean[0], mean[1], mean[2], mean[3], s.xx, s.yy, s.xy};
+}
+
+}  // namespace
+
+std::vector<ProbeSample> read_solid_probes(const SolidRun& run) {
   std::vector<ProbeSample> samples;
   for (const LocatedProbe& probe : run.probes.probes) {
     ProbeSample sample{probe.name,
@@ -192,17 +221,7 @@ std::vector<ProbeSample> read_solid_probes(const SolidRun& run) {
                         "velocity_y_m_per_s", "stress_xx_Pa", "stress_yy_Pa", "stress_xy_Pa"},
                        {}};
     for (const ProbeTarget& target : probe.targets) {
-      const auto& [triangle, weight] = target.in_matrix;
-      std::array<double, 4> mean{};
-      for (Index k = 0; k < 3; ++k) {
-        const auto c = at(mesh::corner_of(triangle, k));
-        const std::array<double, 4> here{m.ux[c], m.uy[c], m.vx[c], m.vy[c]};
-        for (std::size_t i = 0; i < here.size(); ++i) {
-          mean[i] += weight[at(k)] * here[i];
-        }
-      }
-      const Tensor s = mechanics::triangle_stress(model, triangle).plane;
-      sample.rows.push_back({target.place, {mean[0], mean[1], mean[2], mean[3], s.xx, s.yy, s.xy}});
+      sample.rows.push_back({target.place, probe_values(run.dynamics.model(), target.in_matrix)});
     }
     samples.push_back(std::move(sample));
   }

@@ -235,4 +235,8 @@ Tensor in_situ_stress(const InSitu& in_situ, const Point& place) {
           in_situ.stress_xy + in_situ.gradient_xy * height};
 }
 
+double in_situ_across(const InSitu& in_situ, const Point& place) {
+  return in_situ.stress_zz + in_situ.gradient_zz * (place.y - in_situ.datum);
+}
+
 }  // namespace percolith::simulation

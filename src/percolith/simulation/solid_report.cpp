@@ -22,7 +22,8 @@ double energy_error(const mechanics::EnergyBalance& b) {
   return scale > 0.0 ? std::abs(b.residual) / scale : 0.0;
 }
 
-void add_energies(const mechanics::EnergyBalance& b, std::vector<NamedValue>& values) {
+template <class Named>
+void add_energies(const mechanics::EnergyBalance& b, std::vector<Named>& values) {
   values.insert(values.end(), {{"kinetic_J_per_m", b.kinetic},
                                {"elastic_J_per_m", b.elastic},
                                {"joint_J_per_m", b.joint},
@@ -36,13 +37,37 @@ void add_energies(const mechanics::EnergyBalance& b, std::vector<NamedValue>& va
                                {"residual_J_per_m", b.residual}});
 }
 
-void add_boundaries(const SolidRun& run, std::vector<NamedValue>& values) {
-  for (const BoundaryState& state : boundary_states(run.setup, run.dynamics)) {
+void add_boundaries(const std::vector<BoundaryState>& states, std::vector<NamedValue>& values) {
+  for (const BoundaryState& state : states) {
     values.insert(values.end(), {{state.name + ".reaction_x_N_per_m", state.force.x},
                                  {state.name + ".reaction_y_N_per_m", state.force.y},
                                  {state.name + ".displacement_x_m", state.displacement.x},
                                  {state.name + ".displacement_y_m", state.displacement.y}});
   }
+}
+
+void note_peaks(const std::vector<BoundaryState>& states, double time,
+                std::vector<PeakReaction>& peaks) {
+  const bool first = peaks.empty();
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (first) {
+      peaks.push_back({states[i].name, 0.0, 0.0, time, time});
+    }
+    PeakReaction& peak = peaks[i];
+    if (std::abs(states[i].force.x) > std::abs(peak.x)) {
+      peak.x = states[i].force.x;
+      peak.x_time = time;
+    }
+    if (std::abs(states[i].force.y) > std::abs(peak.y)) {
+      peak.y = states[i].force.y;
+      peak.y_time = time;
+    }
+  }
+}
+
+std::int64_t broken_by(const SolidRun& run, BreakMode mode) {
+  return std::count(run.broken.mode.begin(), run.broken.mode.end(),
+                    static_cast<std::int32_t>(mode));
 }
 
 }  // namespace
@@ -93,7 +118,9 @@ HistoryRow solid_history_row(SolidRun& run, double step_size) {
                        {{"broken_joints", static_cast<double>(run.broken.count)},
                         {"fragments", static_cast<double>(run.fragments.area.size())},
                         {"unbalanced_ratio", run.dynamics.unbalanced_ratio()}});
-  add_boundaries(run, row.mechanics);
+  const std::vector<BoundaryState> states = boundary_states(run.setup, run.dynamics);
+  add_boundaries(states, row.mechanics);
+  note_peaks(states, row.time, run.summary.peak_reactions);
   return row;
 }
 
@@ -143,9 +170,12 @@ Summary solid_summary(const SolidRun& run) {
   summary.mechanics.insert(
       summary.mechanics.end(),
       {{"energy_error", energy_error(balance)},
-       {"broken_joints", static_cast<double>(run.broken.count)},
-       {"closed_joints", static_cast<double>(dynamics.model().closed.size())},
-       {"fragments", static_cast<double>(fragments.area.size())},
+       {"broken_joints", run.broken.count},
+       {"broken_joints_tensile", broken_by(run, BreakMode::tensile)},
+       {"broken_joints_shear", broken_by(run, BreakMode::shear)},
+       {"broken_joints_mixed", broken_by(run, BreakMode::mixed)},
+       {"closed_joints", static_cast<std::int64_t>(dynamics.model().closed.size())},
+       {"fragments", static_cast<std::int64_t>(fragments.area.size())},
        {"fragment_area_m2", area},
        {"largest_fragment_area_m2", largest},
        {"deepest_overlap_m", std::max(run.deepest_overlap, dynamics.contact().deepest())},

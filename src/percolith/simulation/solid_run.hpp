@@ -46,7 +46,7 @@ struct SolidRun {
 /// The fragments as they are now.
 [[nodiscard]] std::vector<FragmentRow> fragment_rows(const SolidRun& run);
 
-/// Energies, reactions and counts of the present state.
+/// Energies, reactions and counts of the present state; notes the peaks of the reactions.
 [[nodiscard]] HistoryRow solid_history_row(SolidRun& run, double step_size);
 /// What the run came to.
 [[nodiscard]] Summary solid_summary(const SolidRun& run);

@@ -110,6 +110,10 @@ private:
   static void make_in_situ(simulation::Setup& setup) {
     if (flip()) {
       setup.in_situ = {any(), any(), any(), any(), flip() ? any() : 0.0, 0.0, any()};
+      if (setup.model.plane == simulation::Plane::strain) {
+        setup.in_situ->stress_zz = any();
+        setup.in_situ->gradient_zz = any();
+      }
     }
   }
 

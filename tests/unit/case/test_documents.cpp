@@ -162,6 +162,8 @@ TEST(Reference, TellsWhichPhysicsAnOptionBelongsTo) {
                               "mechanics only.*\n"));
   EXPECT_THAT(page, HasSubstr("| **required** | Acceleration of gravity along -y: 9.81 for a "
                               "vertical section, 0 for a horizontal plan. |\n"));
+  EXPECT_THAT(page, HasSubstr("`\"steady\"`; in mechanics `\"explicit\"` | `\"implicit\"`; in "
+                              "mechanics `\"explicit\"` |"));
   EXPECT_EQ(physics_of("material.*.regions"), "");
 }
 

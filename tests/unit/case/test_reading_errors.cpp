@@ -3,19 +3,21 @@
 
 #include <fstream>
 
+#include "unit/case/mechanics_case.hpp"
 #include "unit/case/minimal_case.hpp"
 
 namespace percolith::case_file {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 TEST(ReadingErrors, UnknownOptionNamesTheNearest) {
   EXPECT_EQ(error_with("ende = 3\n"),
             "case.toml:20:1: error: time.ende: unknown option; the nearest valid name is \"end\"; "
             "allowed: \"scheme\", \"end\", \"step\", \"initial_step\", \"maximum_step\", "
-            "\"tolerance\", \"safety\", \"stop_ratio\", \"mass_scaling_step\"");
+            "\"tolerance\", \"safety\"");
   EXPECT_THAT(error_with("[boundry.right]\ngroups = [\"r\"]\n"),
               StartsWith("case.toml:20:2: error: boundry: unknown option; the nearest valid name "
                          "is \"boundary\"; allowed: \"format\", "));
@@ -75,11 +77,44 @@ TEST(ReadingErrors, NoSuchChoice) {
 TEST(ReadingErrors, AnOptionOfCouplingIsUnknown) {
   EXPECT_EQ(error_set({"material.rock.biot_coefficient=0.8"}),
             "--set: error: material.rock.biot_coefficient: unknown option; allowed: \"regions\", "
-            "\"permeability\", \"porosity\", \"biot_modulus\", \"density\", \"young_modulus\", "
-            "\"poisson_ratio\", \"normal_young_modulus\", \"normal_poisson_ratio\", "
-            "\"normal_shear_modulus\", \"bedding_angle\", \"joints\", \"tensile_strength\", "
-            "\"cohesion\", \"friction_angle\", \"residual_friction_angle\", \"mode_1_energy\", "
-            "\"mode_2_energy\", \"joint_penalty\", \"weibull_modulus\", \"weibull_seed\"");
+            "\"permeability\", \"porosity\", \"biot_modulus\"");
+}
+
+TEST(ReadingErrors, UnknownOptionsNameWhatThePhysicsHasOnly) {
+  EXPECT_EQ(mechanics_error({"material.rock.porosty=0.1"}),
+            "--set: error: material.rock.porosty: unknown option; allowed: \"regions\", "
+            "\"density\", \"young_modulus\", \"poisson_ratio\", \"normal_young_modulus\", "
+            "\"normal_poisson_ratio\", \"normal_shear_modulus\", \"bedding_angle\", \"joints\", "
+            "\"tensile_strength\", \"cohesion\", \"friction_angle\", "
+            "\"residual_friction_angle\", \"mode_1_energy\", \"mode_2_energy\", "
+            "\"joint_penalty\", \"weibull_modulus\", \"weibull_seed\"");
+  EXPECT_EQ(mechanics_error({"time.saftey=0.1"}),
+            "--set: error: time.saftey: unknown option; the nearest valid name is \"safety\"; "
+            "allowed: \"scheme\", \"end\", \"step\", \"safety\", \"stop_ratio\", "
+            "\"mass_scaling_step\"");
+  EXPECT_EQ(mechanics_error({"suorce.well.rate=1"}),
+            "--set: error: suorce: unknown option; allowed: \"format\", \"title\", \"mesh\", "
+            "\"model\", \"material\", \"fracture\", \"boundary\", \"body\", "
+            "\"point_force\", \"in_situ\", \"excavation\", \"damping\", \"contact\", "
+            "\"time\", \"output\", \"probe\"");
+  EXPECT_THAT(mechanics_error({"time.rate=1"}), Not(HasSubstr("belongs in")));
+  EXPECT_THAT(mechanics_error({"time.density=1"}),
+              HasSubstr("\"density\" belongs in [material.NAME];"));
+  EXPECT_THAT(error_set({"time.density=1"}), HasSubstr("\"density\" belongs in [fluid];"));
+}
+
+TEST(ReadingErrors, WhereThePhysicsIsUnknownTooEveryOptionIsNamed) {
+  const std::string text = mechanics_error({"model.physics=mechanic", "time.x=1"});
+  EXPECT_THAT(text, HasSubstr("\"tolerance\""));
+  EXPECT_THAT(text, HasSubstr("\"stop_ratio\""));
+}
+
+TEST(ReadingErrors, ChoicesAreThoseOfThePhysics) {
+  EXPECT_EQ(mechanics_error({"time.scheme=implict"}),
+            "--set: error: time.scheme = \"implict\": no such choice; allowed: \"explicit\"");
+  EXPECT_EQ(mechanics_error({"probe.a.point=[0, 0]", "probe.a.in=crack"}),
+            "--set: error: probe.a.in = \"crack\": has no effect here: it needs model.physics = "
+            "\"seepage\"");
 }
 
 TEST(ReadingErrors, WholeNumbers) {

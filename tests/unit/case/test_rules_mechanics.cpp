@@ -354,9 +354,14 @@ TEST(RulesOfMechanics, InSituStress) {
   EXPECT_EQ(mechanics_error({"in_situ=5"}),
             "--set: error: in_situ = 5: expects a table, found a number; allowed: [in_situ] with "
             "its options below");
-  EXPECT_THAT(mechanics_error({"in_situ.stress_zz=5"}),
-              StartsWith("--set: error: in_situ.stress_zz: unknown option; the nearest valid name "
+  EXPECT_THAT(mechanics_error({"in_situ.stress_yx=5"}),
+              StartsWith("--set: error: in_situ.stress_yx: unknown option; the nearest valid name "
                          "is \"stress_xx\""));
+  EXPECT_EQ(
+      mechanics_error({"in_situ.stress_zz=-5 MPa", "in_situ.gradient_zz=1", "in_situ.datum=5"}),
+      "");
+  EXPECT_EQ(mechanics_error({"in_situ.stress_zz = 5", "model.plane=stress"}),
+            no_effect("in_situ.stress_zz = 5", "model.plane = \"strain\""));
   EXPECT_THAT(mechanics_error({"in_situ.gradient_yy=5 kPa"}),
               HasSubstr("the unit \"kPa\" is not one of stress per length"));
 }

@@ -70,6 +70,7 @@ TEST(CheckText, TellsWhatTheSchemeMakesOfTheLimits) {
 simulation::CheckReport mechanics_report() {
   simulation::CheckReport mechanics = report();
   mechanics.mechanics = {{"cohesive_length_over_element_size", 4.5},
+                         {"tied joints", 1234567},
                          {"apparent_modulus_Pa", 29.123456e9}};
   mechanics.limits = {{"joints", 2e-8, {0.5, 0.5}},
                       {"triangles", 3e-8, {0.1, 0.2}},
@@ -81,6 +82,7 @@ TEST(CheckText, ShowsTheNumbersOfMechanicsInPlaceOfTheNodesOfFlow) {
   const std::string text = check_text(mechanics_report(), {});
   EXPECT_TRUE(has(text, "Mechanics\n"
                         "  cohesive_length_over_element_size         4.5\n"
+                        "  tied joints                           1234567\n"
                         "  apparent_modulus_Pa                2.9123e+10\n"
                         "Limits of the explicit time step\n"))
       << text;

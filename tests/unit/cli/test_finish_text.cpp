@@ -35,6 +35,22 @@ TEST(FinishText, TellsTheErrorOfTheEnergyBalanceInMechanics) {
             "finished at time 0.25 s after 1200 steps, at rest; results in a.results");
 }
 
+TEST(ResultLines, TellBrokenJointsAndTheReactionsThereWere) {
+  simulation::Summary mechanics = summary();
+  EXPECT_TRUE(result_lines(mechanics).empty());
+  mechanics.mechanics = {{"broken_joints", 12},
+                         {"broken_joints_tensile", 9},
+                         {"broken_joints_shear", 1},
+                         {"broken_joints_mixed", 2}};
+  mechanics.peak_reactions = {{"boundary.top", 0.0, -785400.25, 0.0, 3.25e-3},
+                              {"boundary.side", 0.0, 0.0, 0.0, 0.0}};
+  EXPECT_EQ(
+      result_lines(mechanics),
+      (std::vector<std::string>{
+          "joints that broke: 12 (9 in tension, 1 in shear, 2 mixed)",
+          "largest reaction of boundary.top: x 0 N/m at 0 s, y -7.854e+05 N/m at 0.00325 s"}));
+}
+
 std::vector<std::string> names(const std::vector<case_file::DerivedValue>& values) {
   std::vector<std::string> result;
   for (const case_file::DerivedValue& value : values) {
@@ -55,10 +71,11 @@ TEST(DerivedValues, AreThoseOfThePhysics) {
       (std::vector<std::string>{"version of percolith = 1.2 ", "triangles = 8 ", "pore nodes = 9 ",
                                 "crack nodes = 2 ", "smallest edge = 0.5 m",
                                 "limit of the explicit step by all together = 0.001 s"}));
-  report.mechanics = {{"apparent_modulus_Pa", 2e9}};
+  report.mechanics = {{"apparent_modulus_Pa", 2e9}, {"tied joints", 1234567}};
   EXPECT_EQ(names(derived_values(report, "1.2")),
             (std::vector<std::string>{"version of percolith = 1.2 ", "triangles = 8 ",
                                       "smallest edge = 0.5 m", "apparent_modulus_Pa = 2000000000 ",
+                                      "tied joints = 1234567 ",
                                       "limit of the explicit step by all together = 0.001 s"}));
 }
 

@@ -94,13 +94,21 @@ TEST(Summary, OfMechanicsHasItsNamedResultsAndNoneOfFlow) {
   simulation::Summary mechanics = summary();
   mechanics.reached_rest = true;
   mechanics.mechanics = {{"energy_error", 1e-4},
+                         {"broken_joints", 3},
                          {"b_value", std::numeric_limits<double>::quiet_NaN()}};
+  mechanics.peak_reactions = {{"boundary.top", 1.5, -4e5, 0.25, 0.5}};
   const auto json = nlohmann::json::parse(summary_json(record(), mechanics, {}));
   EXPECT_EQ(json["mechanics"]["energy_error"], 1e-4);
+  EXPECT_TRUE(json["mechanics"]["broken_joints"].is_number_integer());
+  EXPECT_EQ(json["mechanics"]["broken_joints"], 3);
   EXPECT_TRUE(json["mechanics"]["b_value"].is_null());
+  EXPECT_EQ(json["mechanics"]["peak_reactions"]["boundary.top"],
+            (nlohmann::json{
+                {"x_N_per_m", 1.5}, {"x_time_s", 0.25}, {"y_N_per_m", -4e5}, {"y_time_s", 0.5}}));
   EXPECT_EQ(json["reached_rest"], true);
   EXPECT_EQ(json["state_hash"], "abc");
-  for (const char* key : {"mass_balance", "throughput_m2_per_s", "rate_m2_per_s", "extremes"}) {
+  for (const char* key : {"mass_balance", "throughput_m2_per_s", "rate_m2_per_s", "extremes",
+                          "rejected_steps", "iterations"}) {
     EXPECT_FALSE(json.contains(key)) << key;
   }
   const auto flow = nlohmann::json::parse(summary_json(record(), summary(), {}));

@@ -21,6 +21,10 @@ TEST(CsvLine, PrintsTheFewestDigitsThatReadBack) {
   EXPECT_EQ(CsvLine().add(std::numeric_limits<double>::quiet_NaN()).text(), "nan\n");
 }
 
+TEST(CsvLine, PrintsZeroWithoutASign) {
+  EXPECT_EQ(CsvLine().add(-0.0).add(0.0).add(-1e-300).text(), "0,0,-1e-300\n");
+}
+
 TEST(CsvLine, QuotesTextThatNeedsIt) {
   EXPECT_EQ(CsvLine().add(std::string_view("a,b")).add(std::string_view("say \"x\"")).text(),
             "\"a,b\",\"say \"\"x\"\"\"\n");
@@ -104,6 +108,13 @@ TEST(Probes, WriteOneLineAPoint) {
       "line", {"pressure_Pa", "saturation"}, {{{0, 1}, {5e4, 1}}, {{0.5, 1}, {4e4, 0.5}}}};
   EXPECT_EQ(probe_header(sample), "time_s,x_m,y_m,pressure_Pa,saturation\n");
   EXPECT_EQ(probe_lines(10, sample), "10,0,1,50000,1\n10,0.5,1,40000,0.5\n");
+}
+
+TEST(Probes, LeaveTheCellsEmptyWhereThereIsNoRock) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const simulation::ProbeSample sample{
+      "tunnel", {"velocity_x_m_per_s", "stress_xx_Pa"}, {{{0, 1}, {none, none}}}};
+  EXPECT_EQ(probe_lines(10, sample), "10,0,1,,\n");
 }
 
 TEST(Probes, RefuseRowsThatDoNotFitTheColumns) {

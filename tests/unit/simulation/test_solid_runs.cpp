@@ -29,7 +29,7 @@ double largest_displacement(const Frame& frame) {
 TEST(SolidRuns, InSituStressStaysAtRest) {
   simulation::Setup setup = test::solid_setup();
   setup.model.gravity = 9.81;
-  setup.in_situ = InSitu{-6e6, -8e6, 1e6, 10000.0, 2500.0 * 9.81, 0.0, 1.0};
+  setup.in_situ = InSitu{-6e6, -8e6, 1e6, 10000.0, 2500.0 * 9.81, 0.0, 1.0, -5e6, 3e5};
   for (const char* side : {"left", "right", "top"}) {
     setup.boundary[side] = test::on(side);
     setup.boundary[side].in_situ = true;
@@ -43,6 +43,13 @@ TEST(SolidRuns, InSituStressStaysAtRest) {
     EXPECT_LT(largest_displacement(recorder.frames.back()), 1e-13);
     EXPECT_LT(value_of(summary.mechanics, "unbalanced_ratio"), 1e-10);
     EXPECT_NEAR(test::cell_values(recorder.frames.back(), "stress_xy_Pa")[3], 1e6, 1.0);
+    const MatrixFrame& matrix = recorder.frames.back().matrix;
+    double height = 0.0;
+    for (const auto point : matrix.triangles[3]) {
+      height += matrix.points[static_cast<std::size_t>(point)].y / 3.0;
+    }
+    EXPECT_NEAR(test::cell_values(recorder.frames.back(), "stress_zz_Pa")[3],
+                -5e6 + 3e5 * (height - 1.0), 1.0);
     // The bottom carries what the in-situ stress presses it with.
     EXPECT_NEAR(value_of(summary.last.mechanics, "boundary.bottom.reaction_y_N_per_m"),
                 8e6 + 2500.0 * 9.81, 1.0);
@@ -80,10 +87,45 @@ TEST(SolidRuns, AStretchedBlockBreaksWithEventsThatAreAccountedFor) {
     released += event.released_energy;
   }
   EXPECT_EQ(recorder.events.front().mode, BreakMode::tensile);
+  for (const auto& [mode, name] :
+       {std::pair{BreakMode::tensile, "tensile"}, std::pair{BreakMode::shear, "shear"},
+        std::pair{BreakMode::mixed, "mixed"}}) {
+    EXPECT_EQ(value_of(summary.mechanics, std::string("broken_joints_") + name),
+              static_cast<double>(std::count_if(
+                  recorder.events.begin(), recorder.events.end(),
+                  [wanted = mode](const BreakEvent& event) { return event.mode == wanted; })));
+  }
   EXPECT_GT(value_of(summary.mechanics, "fracture_J_per_m"), 0.9 * released);
   // The broken joints are in the picture of the cracks.
   const CrackFrame& cracks = recorder.frames.back().cracks;
   EXPECT_GE(cracks.segments.size(), recorder.events.size());
+}
+
+TEST(SolidRuns, PeaksOfReactionsAreThoseOfTheHistory) {
+  simulation::Setup setup = test::solid_setup();
+  setup.boundary["left"] = test::on("left");
+  setup.boundary["left"].fixed = true;
+  setup.boundary["right"] = test::on("right");
+  setup.boundary["right"].velocity_x = Schedule::constant(1.0);
+  setup.time.end = 3e-3;
+  test::SolidRecorder recorder;
+  const Summary summary = test::run(setup, test::make_grid(grid), recorder);
+  ASSERT_EQ(summary.peak_reactions.size(), 2u);
+  for (const PeakReaction& peak : summary.peak_reactions) {
+    double largest = 0.0;
+    for (const HistoryRow& row : recorder.history) {
+      const double reaction = value_of(row.mechanics, peak.name + ".reaction_x_N_per_m");
+      if (row.time == peak.x_time) {
+        EXPECT_EQ(reaction, peak.x);
+      }
+      largest = std::max(largest, std::abs(reaction));
+    }
+    EXPECT_EQ(std::abs(peak.x), largest);
+  }
+  EXPECT_EQ(summary.peak_reactions[0].name, "boundary.left");
+  EXPECT_LT(summary.peak_reactions[0].x, 0.0);
+  EXPECT_GT(summary.peak_reactions[0].x_time, 0.0);
+  EXPECT_LT(summary.peak_reactions[0].x_time, summary.end_time);
 }
 
 TEST(SolidRuns, TwoRunsAreEqual) {
@@ -184,6 +226,9 @@ TEST(SolidRuns, AnExcavationComesToRest) {
     setup.boundary[side].fixed = true;
   }
   setup.excavation["tunnel"] = {{"tunnel"}, 1e-4, 5e-4};
+  setup.probe["line"].from = std::array<double, 2>{0.1, 0.5};
+  setup.probe["line"].to = std::array<double, 2>{0.51, 0.5};
+  setup.probe["line"].points = 2;
   setup.damping.local = 0.7;
   setup.time.end = 1.0;
   setup.time.stop_ratio = 1e-5;
@@ -191,6 +236,17 @@ TEST(SolidRuns, AnExcavationComesToRest) {
   const Summary summary = test::run(setup, file, recorder);
   EXPECT_TRUE(summary.reached_rest);
   EXPECT_GT(summary.end_time, 6e-4);
+  const auto values_of = [](const std::vector<ProbeSample>& samples, std::size_t row) {
+    return samples.at(0).rows.at(row).values;
+  };
+  const auto is_number = [](double value) { return !std::isnan(value); };
+  for (const double value : values_of(recorder.probes.back(), 1)) {
+    EXPECT_TRUE(std::isnan(value));
+  }
+  for (const auto& values :
+       {values_of(recorder.probes.front(), 1), values_of(recorder.probes.back(), 0)}) {
+    EXPECT_TRUE(std::all_of(values.begin(), values.end(), is_number));
+  }
   EXPECT_EQ(recorder.frames.front().matrix.triangles.size(), 72u);
   EXPECT_EQ(recorder.frames.back().matrix.triangles.size(), 64u);
   EXPECT_GT(largest_displacement(recorder.frames.back()), 1e-6);

@@ -56,6 +56,17 @@ inline double value_of(const std::vector<simulation::NamedValue>& values, const 
   return 0.0;
 }
 
+/// The value of a name in the results of a summary or a check, counts among them.
+inline double value_of(const std::vector<simulation::NamedResult>& results,
+                       const std::string& name) {
+  std::vector<simulation::NamedValue> values;
+  for (const auto& [key, result] : results) {
+    values.emplace_back(
+        key, std::visit([](auto number) { return static_cast<double>(number); }, result));
+  }
+  return value_of(values, name);
+}
+
 /// A field of the matrix frame that is one number a cell.
 inline std::vector<double> cell_values(const simulation::Frame& frame, const std::string& name) {
   for (const simulation::FrameField& field : frame.matrix.cell_fields) {
