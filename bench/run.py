@@ -19,8 +19,9 @@ ROOT = Path(__file__).resolve().parent.parent
 PROGRAMS = Path(os.environ.get("PERCOLITH_BENCH_PROGRAMS", ROOT / "build/bench-programs/bin"))
 REPORT = ROOT / "build/bench/report.json"
 SIX_FRACTURES_LIMIT = 5.0  # s, on two threads
-# Busy-waiting threads disturb each other where processors are shared.
-ENVIRONMENT = {**os.environ, "OMP_WAIT_POLICY": "passive"}
+# Threads that wander lose what their processor had in its caches. They wait as they do for users: a
+# thread that sleeps between two loops may take longer to wake up than the loop lasts.
+ENVIRONMENT = {**os.environ, "OMP_PROC_BIND": "true"}
 
 
 def processor() -> str:
