@@ -145,7 +145,7 @@ double measure_case(const Case& c, Results& results) {
 }
 
 void measure(Results& results) {
-  measure_case({"intact", "1e5", 100'000, {}, 30.0, 40, 10}, results);
+  measure_case({"intact", "1e5", 100'000, {}, 30.0, 40, 20}, results);
   measure_case({"intact", "1e6", 1'000'000, {}, 0.0, 6, 3}, results);
   const SolidCase broken{true};
   const double small = measure_case({"broken", "1e5", 100'000, broken, 500.0, 30, 3}, results);

@@ -128,8 +128,8 @@ struct JointLoss {
   Real bond, friction;
 };
 
-/// What a point lost from `before` to `now`: the work of its traction, by the trapezoidal rule, less
-/// what is stored more; friction apart. `memory` is that of now. A point that was whole before
+/// What a point lost from `before` to `now`: the work of its traction, by the trapezoidal rule,
+/// less what is stored more; friction apart. `memory` is that of now. A point that was whole before
 /// counts from its peak, which it has just passed.
 template <class Real>
 PERCOLITH_DEVICE JointLoss<Real> joint_loss(const JointConstants<Real>& c, JointMoment<Real> before,
@@ -145,9 +145,9 @@ PERCOLITH_DEVICE JointLoss<Real> joint_loss(const JointConstants<Real>& c, Joint
     return stored_energy(moment.traction, moment.opening, moment.slip, c.stiffness, moment.damage);
   };
   const Real slid = now.slip - before.slip;
-  const Real work = Real(0.5) * ((before.traction.normal + now.traction.normal) *
-                                     (now.opening - before.opening) +
-                                 (before.traction.shear + now.traction.shear) * slid);
+  const Real work =
+      Real(0.5) * ((before.traction.normal + now.traction.normal) * (now.opening - before.opening) +
+                   (before.traction.shear + now.traction.shear) * slid);
   const Real friction = slid * friction_of(c, now.opening, now.slip, memory);
   return {work - (stored(now) - stored(before)) - friction, friction};
 }

@@ -91,10 +91,11 @@ EnergyBalance energy_balance(const Model& model, const JointTable& table, const 
   b.fracture = over_joints([&](Index j) {
     return model.joints.past.spent[at(j)] + loss_since(model, table, j, half).bond;
   });
-  b.friction = contact.friction + e.closed_friction.total() + closed_friction_since(model, half) +
-               over_joints([&](Index j) {
-                 return model.joints.past.rubbed[at(j)] + loss_since(model, table, j, half).friction;
-               });
+  b.friction =
+      contact.friction + e.closed_friction.total() + closed_friction_since(model, half) +
+      over_joints([&](Index j) {
+        return model.joints.past.rubbed[at(j)] + loss_since(model, table, j, half).friction;
+      });
   b.contact = contact.stored;
   b.residual =
       b.gravity + b.external -

@@ -118,8 +118,8 @@ private:
       t[g] = material::softening_traction(c, opening[g], slip[g], memory);
       const auto bonded = c.stiffness > Real(0.0);
       const material::JointMoment<Real> now{opening[g], slip[g], t[g], memory.damage};
-      const material::JointLoss<Real> lost = material::joint_loss(
-          c, exchange_moment<Lane>(j, g, damage_before, now), now, memory);
+      const material::JointLoss<Real> lost =
+          material::joint_loss(c, exchange_moment<Lane>(j, g, damage_before, now), now, memory);
       spent += select(bonded, lost.bond, Real(0.0));
       rubbed += select(bonded, lost.friction, Real(0.0));
       Lane::store(opening_peak_[g] + j, memory.opening_peak);

@@ -15,8 +15,8 @@ struct JointPoints {
 };
 
 /// Constants of the law of a joint, its stiffness and the scatter of its strengths included.
-[[nodiscard]] material::JointConstants<double> joint_constants(const Model& model,
-                                                               const JointTable& table, Index joint);
+[[nodiscard]] material::JointConstants<double>
+joint_constants(const Model& model, const JointTable& table, Index joint);
 
 /// Opening and slip of any joint, and the traction of its bond with the memory as it stands.
 /// `back` (s): where the corners were so long ago, at their present velocities.
