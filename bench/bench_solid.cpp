@@ -119,7 +119,7 @@ void report_bandwidth(const std::string& name, const std::array<Timing, 3>& ways
 
 /// Returns ns/triangle-step on one thread.
 double measure_case(const Case& c, Results& results) {
-  const std::array<Timing, 3> ways{time_steps(c, Backend::serial, 1, 1),
+  const std::array<Timing, 3> ways{time_steps(c, Backend::serial, 1, c.repeats),
                                    time_steps(c, Backend::host, 1, c.repeats),
                                    time_steps(c, Backend::host, 2, c.repeats)};
   print_table(c, ways);

@@ -43,6 +43,30 @@ struct JointLaw {
   }
 };
 
+struct JointLossLaw {
+  PERCOLITH_DEVICE void operator()(const double* in, double* out) const {
+    const material::JointConstants<double> c{1e12, 5e6, 15e6, 0.6, 1e4, 1e4};
+    // Half of the points were whole before, half of them are under compression.
+    material::JointMemory<double> memory{1e-4, 1e-4, in[0] > 0.0 ? 0.9 * in[0] : 0.0};
+    const double opening = 1e-4 * in[1];
+    const double slip = 1e-4 * in[2];
+    material::JointMoment<double> before{opening - 1e-6 * in[3], slip - 1e-6 * in[4], {},
+                                         memory.damage};
+    material::JointMemory<double> then = memory;
+    before.traction = material::softening_traction(c, before.opening, before.slip, then);
+    const auto t = material::softening_traction(c, opening, slip, memory);
+    const auto loss =
+        material::joint_loss(c, before, {opening, slip, t, memory.damage}, memory);
+    out[0] = loss.bond;
+    out[1] = loss.friction;
+    out[2] = material::friction_of(c, opening, slip, memory);
+    out[3] = material::moment_at_peak(c, {opening, slip, t, memory.damage}).traction.shear;
+    for (int k = 4; k < outputs; ++k) {
+      out[k] = 0.0;
+    }
+  }
+};
+
 struct TriangleLaw {
   PERCOLITH_DEVICE void operator()(const double* in, double* out) const {
     const auto shape = mechanics::triangle_shape(Point{1.0 + 0.2 * in[0], 0.2 * in[1]},
@@ -194,6 +218,10 @@ void compare(const Law& law) {
 
 TEST(LawsOnGpu, Joint) {
   compare(JointLaw{});
+}
+
+TEST(LawsOnGpu, JointLoss) {
+  compare(JointLossLaw{});
 }
 
 TEST(LawsOnGpu, Triangle) {

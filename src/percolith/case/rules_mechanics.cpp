@@ -90,10 +90,10 @@ void check_excavations(Rules& rules) {
   for (const auto& [name, excavation] : rules.setup().excavation) {
     const std::string path = "excavation." + name;
     regions.add(path + ".regions", excavation.regions);
-    if (excavation.start > end) {
+    if (excavation.start >= end) {
       rules.fail(path + ".start", {"time.end"},
-                 fmt::format("{} s is after the end of the run", excavation.start),
-                 fmt::format("at most {} s", end));
+                 fmt::format("{} s is not before the end of the run", excavation.start),
+                 fmt::format("below {} s", end));
     }
   }
 }

@@ -128,28 +128,43 @@ struct JointLoss {
   Real bond, friction;
 };
 
+/// Where the straight way of a point from rest to its present opening and slip passed its peak: the
+/// part of each that its strength bears at the present compression.
+template <class Real>
+PERCOLITH_DEVICE JointMoment<Real> moment_at_peak(const JointConstants<Real>& c,
+                                                  const JointMoment<Real>& now) {
+  const Real friction = frictional_strength(c, c.stiffness * now.opening);
+  const Real slip_at_peak = (c.cohesion + friction) / c.stiffness;
+  const Real opening = smaller(now.opening, c.tensile / c.stiffness);
+  const Real slip = larger(smaller(now.slip, slip_at_peak), -slip_at_peak);
+  return {opening, slip, elastic_traction(c.stiffness, opening, slip), Real(0.0)};
+}
+
 /// What a point lost from `before` to `now`: the work of its traction, by the trapezoidal rule,
 /// less what is stored more; friction apart. `memory` is that of now. A point that was whole before
-/// counts from its peak, which it has just passed.
+/// counts from its peak, up to which it lost nothing.
 template <class Real>
-PERCOLITH_DEVICE JointLoss<Real> joint_loss(const JointConstants<Real>& c, JointMoment<Real> before,
-                                            const JointMoment<Real>& now,
-                                            const JointMemory<Real>& memory) {
+PERCOLITH_DEVICE JointLoss<Real>
+joint_loss(const JointConstants<Real>& c, const JointMoment<Real>& before,
+           const JointMoment<Real>& now, const JointMemory<Real>& memory) {
   const auto known = before.damage > Real(0.0);
-  const JointTraction<Real> elastic = elastic_traction(c.stiffness, now.opening, now.slip);
-  before.opening = select(known, before.opening, now.opening);
-  before.slip = select(known, before.slip, now.slip);
-  before.traction = {select(known, before.traction.normal, elastic.normal),
-                     select(known, before.traction.shear, elastic.shear)};
+  const JointMoment<Real> peak = moment_at_peak(c, now);
+  const JointMoment<Real> from{select(known, before.opening, peak.opening),
+                               select(known, before.slip, peak.slip),
+                               {select(known, before.traction.normal, peak.traction.normal),
+                                select(known, before.traction.shear, peak.traction.shear)},
+                               before.damage};
   const auto stored = [&](const JointMoment<Real>& moment) {
     return stored_energy(moment.traction, moment.opening, moment.slip, c.stiffness, moment.damage);
   };
-  const Real slid = now.slip - before.slip;
+  const Real slid = now.slip - from.slip;
   const Real work =
-      Real(0.5) * ((before.traction.normal + now.traction.normal) * (now.opening - before.opening) +
-                   (before.traction.shear + now.traction.shear) * slid);
+      Real(0.5) * ((from.traction.normal + now.traction.normal) * (now.opening - from.opening) +
+                   (from.traction.shear + now.traction.shear) * slid);
   const Real friction = slid * friction_of(c, now.opening, now.slip, memory);
-  return {work - (stored(now) - stored(before)) - friction, friction};
+  const auto softens = memory.damage > Real(0.0);
+  return {select(softens, work - (stored(now) - stored(from)) - friction, Real(0.0)),
+          select(softens, friction, Real(0.0))};
 }
 
 }  // namespace percolith::material

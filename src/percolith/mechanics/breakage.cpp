@@ -93,6 +93,7 @@ void give_up_bonded(Model& model, const JointTable& table, Changes& changes) {
   std::vector<ClosedJoint> closed;
   for (const Index j : failed_joints(model)) {
     const JointPoints points = joint_points(model, table, j);
+    book_bond(model, table, j);
     changes.broke.push_back({j, model.motion.time, mode_of(path_of(model, table, points, j)),
                              model.mesh.joint_length(j), model.joints.past.spent[at(j)]});
     const bool pressed = points.traction[0].normal < 0.0 || points.traction[1].normal < 0.0;
@@ -115,6 +116,7 @@ void give_up_closed(Model& model, Changes& changes) {
   changes.parted = ended_closed_joints(model);
   for (const ClosedJointEnd& end : changes.parted) {
     model.joints.state[at(end.joint)] = JointState::broken;
+    model.energy.closed_friction += end.friction;
     double* force = model.joints.force.data() + force_slot(end.joint);
     for (Index component = 0; component < 4; ++component) {
       force[component * block_width] = 0.0;

@@ -104,9 +104,10 @@ std::vector<ClosedJointEnd> ended_closed_joints(const Model& model) {
     const double length = model.mesh.joint_length(closed.joint);
     ClosedJointEnd end{closed.joint, 0.0, {}, closed.stiffness};
     for (std::size_t g = 0; g < 2; ++g) {
-      const auto t = traction_of(closed, k, g).traction;
+      const auto [t, loss] = traction_of(closed, k, g);
       end.normal_force -= 0.5 * length * t.normal;
       end.shear_on_first = end.shear_on_first + 0.5 * length * t.shear * k.place.along;
+      end.friction += 0.5 * length * loss;
     }
     ended.push_back(end);
   }
@@ -120,6 +121,12 @@ double stored_in_closed_joints(const Model& model, double back) {
                         model.mesh.joint_length(closed.joint));
   }
   return stored;
+}
+
+std::array<material::JointTraction<double>, 2> closed_tractions(const Model& model,
+                                                                const ClosedJoint& closed) {
+  const JointPoints k = joint_openings(model, closed.joint);
+  return {traction_of(closed, k, 0).traction, traction_of(closed, k, 1).traction};
 }
 
 double closed_friction_since(const Model& model, double back) {

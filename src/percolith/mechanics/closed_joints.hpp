@@ -2,6 +2,7 @@
 #pragma once
 
 #include "percolith/core/execution.hpp"
+#include "percolith/material/joint_law.hpp"
 #include "percolith/mechanics/model.hpp"
 
 #include <vector>
@@ -19,6 +20,7 @@ struct ClosedJointEnd {
   double normal_force = 0.0;  ///< N/m, compression positive
   Point shear_on_first;       ///< N/m, on side 0
   double stiffness = 0.0;     ///< k, Pa/m
+  double friction = 0.0;      ///< spent since the last `add_closed_joints`, J/m
 };
 
 /// The closed joints that were found in the last `add_closed_joints` to have ended: their faces
@@ -28,6 +30,10 @@ struct ClosedJointEnd {
 
 /// Energy the closed joints would give back, J/m; `back` as in `joint_points`.
 [[nodiscard]] double stored_in_closed_joints(const Model& model, double back = 0.0);
+
+/// Tractions of a closed joint at the present places, Pa, [point].
+[[nodiscard]] std::array<material::JointTraction<double>, 2>
+closed_tractions(const Model& model, const ClosedJoint& closed);
 
 /// What friction of closed joints spends from the last `add_closed_joints` to the places of
 /// `back`, J/m.

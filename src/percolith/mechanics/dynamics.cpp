@@ -160,6 +160,9 @@ void Dynamics::take_out(std::span<const Index> triangles, double duration) {
   for (const Index t : triangles) {
     removed[at(t)] = 1;
   }
+  if (model_.motion.last_step == 0.0) {
+    loads_.apply(model_);
+  }
   const ContactRelease contact = contact_.release(model_.mesh, motion_of(model_), removed);
   model_.energy.taken_out += contact.energy;
   FadingSupport support = remove_triangles(model_, table_, triangles, duration);

@@ -36,6 +36,7 @@ public:
   [[nodiscard]] EnergyBalance energy(const Execution& execution) const;
   /// Triangle pairs that overlap now, for a start that must have none.
   [[nodiscard]] std::vector<std::array<Index, 2>> overlapping() const;
+  /// Adds all that later steps depend on.
   void add_to(StateHash& hash) const;
 
 private:

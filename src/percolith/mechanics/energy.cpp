@@ -44,35 +44,6 @@ double stored_in_joints(const Model& model, const JointTable& table, const Execu
   return bonded + stored_in_closed_joints(model, back);
 }
 
-namespace {
-
-/// What a bond loses from the last step to the places of `back`, J/m.
-material::JointLoss<double> loss_since(const Model& model, const JointTable& table, Index j,
-                                       double back) {
-  material::JointLoss<double> sum{};
-  const Joints& joints = model.joints;
-  if (joints.damage[0][at(j)] == 0.0 && joints.damage[1][at(j)] == 0.0) {
-    return sum;
-  }
-  const material::JointConstants<double> c = joint_constants(model, table, j);
-  const JointPoints points = joint_points(model, table, j, back);
-  for (std::size_t g = 0; g < 2; ++g) {
-    const JointPast& past = joints.past;
-    const material::JointMoment<double> before{past.opening[g][at(j)],
-                                               past.slip[g][at(j)],
-                                               {past.normal[g][at(j)], past.shear[g][at(j)]},
-                                               joints.damage[g][at(j)]};
-    const material::JointMoment<double> now{points.opening[g], points.slip[g], points.traction[g],
-                                            points.memory[g].damage};
-    const auto lost = material::joint_loss(c, before, now, points.memory[g]);
-    sum.bond += 0.5 * model.mesh.joint_length(j) * lost.bond;
-    sum.friction += 0.5 * model.mesh.joint_length(j) * lost.friction;
-  }
-  return sum;
-}
-
-}  // namespace
-
 EnergyBalance energy_balance(const Model& model, const JointTable& table, const EnergyStart& start,
                              const ContactEnergy& contact, const Execution& execution) {
   const Energies& e = model.energy;
@@ -89,12 +60,12 @@ EnergyBalance energy_balance(const Model& model, const JointTable& table, const 
     return execution.sum(model.mesh.joints(), value);
   };
   b.fracture = over_joints([&](Index j) {
-    return model.joints.past.spent[at(j)] + loss_since(model, table, j, half).bond;
+    return model.joints.past.spent[at(j)] + bond_loss_since(model, table, j, half).bond;
   });
   b.friction =
       contact.friction + e.closed_friction.total() + closed_friction_since(model, half) +
       over_joints([&](Index j) {
-        return model.joints.past.rubbed[at(j)] + loss_since(model, table, j, half).friction;
+        return model.joints.past.rubbed[at(j)] + bond_loss_since(model, table, j, half).friction;
       });
   b.contact = contact.stored;
   b.residual =

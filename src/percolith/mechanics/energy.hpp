@@ -43,12 +43,13 @@ struct EnergyStart {
   double kinetic = 0.0, elastic = 0.0, joint = 0.0;
 };
 
-/// Of contact, J/m: stored now, in the middle of the last step, and spent by friction since the
-/// start.
+/// Of contact, J/m: stored, and spent by friction since the start. What the tangential springs
+/// store and what friction spends is that of the last evaluation, half a step earlier.
 struct ContactEnergy {
   double stored = 0.0, friction = 0.0;
 };
 
+/// The balance of a model that started with `start`; contact counts as it is given.
 [[nodiscard]] EnergyBalance energy_balance(const Model& model, const JointTable& table,
                                            const EnergyStart& start, const ContactEnergy& contact,
                                            const Execution& execution);

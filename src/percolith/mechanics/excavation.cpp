@@ -2,6 +2,7 @@
 #include "percolith/mechanics/excavation.hpp"
 
 #include "percolith/mechanics/build.hpp"
+#include "percolith/mechanics/closed_joints.hpp"
 #include "percolith/mechanics/energy.hpp"
 #include "percolith/mechanics/joint_points.hpp"
 #include "percolith/mechanics/solid_forces.hpp"
@@ -48,14 +49,42 @@ void support_by_nodes(const Model& model, std::span<const std::uint8_t> removed,
         }
       });
       if (kept != mesh::none) {
-        support.push_back({kept, own[at(k)] + joints[at(k)]});
+        const Point load{model.loads.fx[at(corner)], model.loads.fy[at(corner)]};
+        support.push_back({kept, own[at(k)] + joints[at(k)] + load});
       }
     }
   }
 }
 
-/// What the joints between the removed triangles and the rest carry: the force stands in the arrays
-/// from the last step.
+/// Brings the forces of the joints of the removed triangles up to the present places: those in the
+/// arrays are of the step before, or of none at all.
+void renew_joint_forces(Model& model, const JointTable& table,
+                        std::span<const std::uint8_t> removed) {
+  for (Index j = 0; j < model.mesh.joints(); ++j) {
+    const auto& corner = model.mesh.joint[at(j)].corner;
+    if (removed[at(mesh::triangle_of(corner[0][0]))] == 0 &&
+        removed[at(mesh::triangle_of(corner[1][0]))] == 0) {
+      continue;
+    }
+    const bool closed = model.joints.state[at(j)] == JointState::closed;
+    if (!closed && model.joints.state[at(j)] != JointState::bonded) {
+      continue;
+    }
+    const JointPoints points = joint_points(model, table, j);
+    const auto entry =
+        std::lower_bound(model.closed.begin(), model.closed.end(), j,
+                         [](const ClosedJoint& c, Index wanted) { return c.joint < wanted; });
+    const auto traction = closed ? closed_tractions(model, *entry) : points.traction;
+    const auto f = joint_forces(points.place, model.mesh.joint_length(j), traction);
+    double* out = model.joints.force.data() + force_slot(j);
+    out[0] = f[0].x;
+    out[block_width] = f[0].y;
+    out[2 * block_width] = f[1].x;
+    out[3 * block_width] = f[1].y;
+  }
+}
+
+/// What the joints between the removed triangles and the rest carry.
 void support_by_joint(const Model& model, Index j, std::size_t kept_side,
                       std::vector<CornerForce>& support) {
   const double* force = model.joints.force.data() + force_slot(j);
@@ -106,6 +135,7 @@ FadingSupport remove_triangles(Model& model, const JointTable& table,
   for (const Index t : triangles) {
     removed[at(t)] = 1;
   }
+  renew_joint_forces(model, table, removed);
   FadingSupport support{model.motion.time, duration, {}};
   support_by_nodes(model, removed, triangles, support.force);
   std::vector<Index> vertices;
@@ -117,6 +147,7 @@ FadingSupport remove_triangles(Model& model, const JointTable& table,
       if (first != second && model.tied[at(j)] == 0) {
         support_by_joint(model, j, first ? 1 : 0, support.force);
       }
+      book_bond(model, table, j);
       forget_joint(model, j);
       const auto& ends = model.mesh.joint[at(j)].vertex;
       vertices.insert(vertices.end(), ends.begin(), ends.end());

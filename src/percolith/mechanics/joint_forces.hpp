@@ -8,6 +8,8 @@ namespace percolith::mechanics {
 
 /// Constants of the law per kind of joint, as the kernel reads them.
 using JointTable = std::vector<material::JointConstants<double>>;
+/// One entry for each of `Model::kind`, stiffness 0: that is a property of each joint. A strength
+/// of zero gets a range of softening of next to nothing.
 [[nodiscard]] JointTable joint_table(const Model& model);
 
 /// Forces of the bonded joints. A block none of whose joints was ever past its peak is `whole` and
@@ -15,6 +17,7 @@ using JointTable = std::vector<material::JointConstants<double>>;
 struct JointForces {
   static constexpr bool vectorised = true;
 
+  /// Views into the model, which must outlive the kernel; forces, memory and past are written.
   explicit JointForces(Model& model, const JointTable& table);
 
   template <class Lane>

@@ -52,4 +52,34 @@ JointPoints joint_points(const Model& model, const JointTable& table, Index j, d
   return points;
 }
 
+material::JointLoss<double> bond_loss_since(const Model& model, const JointTable& table, Index j,
+                                            double back) {
+  material::JointLoss<double> sum{};
+  const Joints& joints = model.joints;
+  if (joints.damage[0][at(j)] == 0.0 && joints.damage[1][at(j)] == 0.0) {
+    return sum;
+  }
+  const material::JointConstants<double> c = joint_constants(model, table, j);
+  const JointPoints points = joint_points(model, table, j, back);
+  for (std::size_t g = 0; g < 2; ++g) {
+    const JointPast& past = joints.past;
+    const material::JointMoment<double> before{past.opening[g][at(j)],
+                                               past.slip[g][at(j)],
+                                               {past.normal[g][at(j)], past.shear[g][at(j)]},
+                                               joints.damage[g][at(j)]};
+    const material::JointMoment<double> now{points.opening[g], points.slip[g], points.traction[g],
+                                            points.memory[g].damage};
+    const auto lost = material::joint_loss(c, before, now, points.memory[g]);
+    sum.bond += 0.5 * model.mesh.joint_length(j) * lost.bond;
+    sum.friction += 0.5 * model.mesh.joint_length(j) * lost.friction;
+  }
+  return sum;
+}
+
+void book_bond(Model& model, const JointTable& table, Index j) {
+  const material::JointLoss<double> loss = bond_loss_since(model, table, j, 0.0);
+  model.joints.past.spent[at(j)] += loss.bond;
+  model.joints.past.rubbed[at(j)] += loss.friction;
+}
+
 }  // namespace percolith::mechanics

@@ -23,6 +23,13 @@ joint_constants(const Model& model, const JointTable& table, Index joint);
 [[nodiscard]] JointPoints joint_points(const Model& model, const JointTable& table, Index joint,
                                        double back = 0.0);
 
+/// What a bond that softens lost from the last `JointForces` to the places of `back`, J/m.
+[[nodiscard]] material::JointLoss<double>
+bond_loss_since(const Model& model, const JointTable& table, Index joint, double back);
+
+/// Books `bond_loss_since` the last step to the present places: the joint is about to be given up.
+void book_bond(Model& model, const JointTable& table, Index joint);
+
 /// Opening and slip alone.
 [[nodiscard]] JointPoints joint_openings(const Model& model, Index joint, double back = 0.0);
 

@@ -63,8 +63,8 @@ struct Joints {
   std::vector<double> ex, ey;     ///< undeformed edge from end 0 to end 1, m
   std::vector<double> stiffness;  ///< k = p_f/h, Pa/m
   std::vector<double> full_stiffness;  ///< the same were it bonded, Pa/m
-  std::vector<double> size;            ///< h, m: mean height of both triangles over the edge
-  std::vector<Index> strength;         ///< index of `Model::strength`
+  std::vector<double> size;            ///< h, m: mean `element_size` of both triangles
+  std::vector<Index> strength;         ///< index of `Model::kind`
   std::vector<std::uint8_t> uniform;   ///< per block: 1 where all have one strength
   std::vector<double> factor;          ///< on strengths, from heterogeneity; or empty
   std::array<std::vector<double>, 2> opening_start, slip_start;  ///< in-situ: traction/k; or empty

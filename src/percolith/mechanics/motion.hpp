@@ -61,6 +61,7 @@ struct MotionLaw {
   }
 };
 
+/// The law for a step of `dt` (s) after the last one.
 [[nodiscard]] MotionLaw motion_law(const Model& model, double dt);
 
 /// Forces of contact: per corner, and the blocks where there are any; all empty without contact.

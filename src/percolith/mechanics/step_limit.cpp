@@ -194,14 +194,15 @@ double scale_mass(Model& model, std::span<const double> contact_penalty, double 
   double added = 0.0;
   for (Index t = 0; t < model.mesh.triangles(); ++t) {
     double& inverse = model.triangles.inverse_mass[at(t)];
-    if (inverse == 0.0) {
+    if (inverse == 0.0 || is_held(model, t)) {
       continue;
     }
     const double mass = 1.0 / inverse;
     before += mass;
     const Frequencies f = frequencies(model, t, penalty_of(contact_penalty, t));
     // Frequencies fall as one over the mass: dt^2 square + 2 dt viscous = 4 is linear in it.
-    const double factor = 0.25 * (step * step * together(model, f) + 2.0 * step * f.viscous);
+    const double factor =
+        0.25 * (step * step * together(model, f) + 2.0 * step * (f.viscous + f.absorbing));
     if (factor > 1.0) {
       inverse /= factor;
       added += mass * (factor - 1.0);

@@ -196,6 +196,9 @@ std::vector<Point> SupportSet::displacements(const Model& model) const {
   std::vector<Point> sum(tables_.size());
   std::vector<double> count(tables_.size(), 0.0);
   for (const Entry& entry : entries_) {
+    if (model.triangles.inverse_mass[at(mesh::triangle_of(entry.corner))] == 0.0) {
+      continue;
+    }
     const Point u{model.motion.ux[at(entry.corner)], model.motion.uy[at(entry.corner)]};
     for (std::size_t i = 0; i < 2; ++i) {
       if (entry.table[i] != mesh::none && (i == 0 || entry.table[1] != entry.table[0])) {

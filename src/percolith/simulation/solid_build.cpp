@@ -114,12 +114,13 @@ SolidStart build_solid(const Setup& setup, const mesh::GmshMesh& file) {
   }
   throw_bodies(setup, model);
   mechanics::ContactProperties contact = contact_properties(setup, model);
-  double added = 0.0;
-  if (setup.time.mass_scaling_step) {
-    added = mechanics::scale_mass(model, contact.penalty, *setup.time.mass_scaling_step);
-  }
   mechanics::LoadList loads = solid_loads(setup, model);
   mechanics::SupportSet supports = solid_supports(setup, model);
+  double added = 0.0;
+  if (setup.time.mass_scaling_step) {
+    model.loads.resistance = mechanics::LoadSet(model.mesh, loads).resistances(model.mesh);
+    added = mechanics::scale_mass(model, contact.penalty, *setup.time.mass_scaling_step);
+  }
   SolidStart start{mechanics::Dynamics(std::move(model), std::move(loads), std::move(supports),
                                        std::move(contact)),
                    added};

@@ -28,6 +28,19 @@ struct Resolution {
   Index joint = mesh::none;
 };
 
+/// E' of the softer side of a joint, Pa.
+double softer_modulus(const mechanics::Model& model, Index joint) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& side : model.mesh.joint[at(joint)].corner) {
+    const Index t = mesh::triangle_of(side[0]);
+    const auto& rock = model.material[at(model.triangles.material[at(t)])].rock;
+    least = std::min(least, material::plane_modulus(rock, model.plane));
+  }
+  return least;
+}
+
+/// Strengths and energies of weaker joints fall alike, so that their cohesive length grows: the
+/// mean one counts.
 Resolution coarsest(const mechanics::Model& model) {
   Resolution worst;
   for (Index j = 0; j < model.mesh.joints(); ++j) {
@@ -38,9 +51,7 @@ Resolution coarsest(const mechanics::Model& model) {
     if (strength.tensile_strength == 0.0) {
       continue;
     }
-    const Index t = mesh::triangle_of(model.mesh.joint[at(j)].corner[0][0]);
-    const auto& rock = model.material[at(model.triangles.material[at(t)])].rock;
-    const double length = material::plane_modulus(rock, model.plane) * strength.mode_1_energy /
+    const double length = softer_modulus(model, j) * strength.mode_1_energy /
                           (strength.tensile_strength * strength.tensile_strength);
     const double ratio = length / model.joints.size[at(j)];
     if (ratio < worst.ratio) {
@@ -55,12 +66,8 @@ double apparent_share(const mechanics::Model& model) {
   double least = 1.0;
   for (Index j = 0; j < model.mesh.joints(); ++j) {
     if (model.joints.state[at(j)] == JointState::bonded) {
-      const Index t = mesh::triangle_of(model.mesh.joint[at(j)].corner[0][0]);
-      const auto& rock = model.material[at(model.triangles.material[at(t)])].rock;
       const double penalty = model.joints.full_stiffness[at(j)] * model.joints.size[at(j)];
-      const double share =
-          1.0 / (1.0 + 1.73 * material::plane_modulus(rock, model.plane) / penalty);
-      least = std::min(least, share);
+      least = std::min(least, 1.0 / (1.0 + 1.73 * softer_modulus(model, j) / penalty));
     }
   }
   return least;

@@ -22,11 +22,21 @@ Point centre_of(const mesh::Mesh& mesh, Index t) {
   return (1.0 / 3.0) * (p[0] + p[1] + p[2]);
 }
 
+/// Whether a triangle of a joint was taken out, so that its other face is a wall.
+bool beside_removed(const mechanics::Model& model, Index joint) {
+  const auto& corner = model.mesh.joint[at(joint)].corner;
+  return model.triangles.inverse_mass[at(mesh::triangle_of(corner[0][0]))] == 0.0 ||
+         model.triangles.inverse_mass[at(mesh::triangle_of(corner[1][0]))] == 0.0;
+}
+
 /// Largest damage of the joints round each triangle; 1 where one is broken.
 std::vector<double> triangle_damage(const mechanics::Model& model) {
   std::vector<double> damage(at(model.mesh.triangles()), 0.0);
   for (Index j = 0; j < model.mesh.joints(); ++j) {
     const JointState state = model.joints.state[at(j)];
+    if (beside_removed(model, j)) {
+      continue;
+    }
     double d = std::max(model.joints.damage[0][at(j)], model.joints.damage[1][at(j)]);
     d = state == JointState::closed || state == JointState::broken ? 1.0 : d;
     for (const auto& side : model.mesh.joint[at(j)].corner) {

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <random>
+#include <utility>
 
 namespace percolith::simulation {
 namespace {
@@ -38,12 +40,34 @@ JointKind kind_of(const Material& material) {
     kind.strength = material.strength;
   }
   kind.strength.joint_penalty = material.strength.joint_penalty;
+  kind.strength.friction_angle = material.strength.friction_angle;
   kind.strength.residual_friction_angle = material.strength.residual_friction_angle;
   set_friction(kind, material.strength.friction_angle.value_or(0.0));
   return kind;
 }
 
-/// A fracture without a friction angle of its own has that of the rock beside it.
+/// The smaller one of two values that may be absent.
+std::optional<double> smaller_of(const std::optional<double>& a, const std::optional<double>& b) {
+  return a && b ? std::min(*a, *b) : (a ? a : b);
+}
+
+/// What a fracture has from the rocks on both sides: the smaller friction, the softer penalty. A
+/// rock that says nothing of its friction leaves it to the other one.
+JointKind between(const JointKind& first, const JointKind& second) {
+  JointKind both = first;
+  both.strength.joint_penalty =
+      smaller_of(first.strength.joint_penalty, second.strength.joint_penalty);
+  if (!first.strength.friction_angle && second.strength.friction_angle) {
+    both.friction = second.friction;
+    both.residual_friction = second.residual_friction;
+  } else if (second.strength.friction_angle) {
+    both.friction = std::min(first.friction, second.friction);
+    both.residual_friction = std::min(first.residual_friction, second.residual_friction);
+  }
+  return both;
+}
+
+/// A fracture without a friction angle of its own has that of the rocks beside it.
 JointKind kind_of(const FractureGroup& group, const JointKind& rock) {
   JointKind kind = idle_kind();
   if (group.bond == Bond::cohesive) {
@@ -85,13 +109,20 @@ public:
     }
     return elastic_[a] != 0 && elastic_[b] != 0 ? JointState::tied : JointState::bonded;
   }
+  /// Materials on both sides.
+  [[nodiscard]] std::pair<Index, Index> rocks(Index joint) const {
+    const auto [a, b] = sides(joint);
+    return {material_[a], material_[b]};
+  }
   /// Kind of the weaker side; a side without breakable joints has none.
   [[nodiscard]] Index kind(Index joint) const {
     const auto [a, b] = sides(joint);
     if (elastic_[a] != elastic_[b]) {
       return material_[elastic_[a] != 0 ? b : a];
     }
-    return material_[tensile_[b] < tensile_[a] ? b : a];
+    // Of sides that are equally strong the one of the lower number, whichever way the edge runs.
+    const auto rank = [&](std::size_t side) { return std::pair{tensile_[side], material_[side]}; };
+    return material_[rank(b) < rank(a) ? b : a];
   }
 
 private:
@@ -109,15 +140,19 @@ private:
   std::vector<double> tensile_;
 };
 
-/// The kinds of joints of one fracture, one for each rock beside it.
+/// The kinds of joints of one fracture, one for each pair of rocks on its sides.
 class FractureKinds {
 public:
   FractureKinds(const FractureGroup& group, Index owner, std::vector<JointKind>& kinds)
       : group_(&group), owner_(owner), kinds_(&kinds) {}
-  Index beside(Index rock) {
-    const auto [entry, is_new] = of_rock_.try_emplace(rock, static_cast<Index>(kinds_->size()));
+  Index of(std::pair<Index, Index> rocks) {
+    if (rocks.second < rocks.first) {
+      std::swap(rocks.first, rocks.second);
+    }
+    const auto [entry, is_new] = of_rocks_.try_emplace(rocks, static_cast<Index>(kinds_->size()));
     if (is_new) {
-      JointKind kind = kind_of(*group_, (*kinds_)[at(rock)]);
+      JointKind kind =
+          kind_of(*group_, between((*kinds_)[at(rocks.first)], (*kinds_)[at(rocks.second)]));
       kind.owner = owner_;
       kinds_->push_back(kind);
     }
@@ -128,10 +163,11 @@ private:
   const FractureGroup* group_;
   Index owner_;
   std::vector<JointKind>* kinds_;
-  std::map<Index, Index> of_rock_;
+  std::map<std::pair<Index, Index>, Index> of_rocks_;
 };
 
-void add_fractures(const Setup& setup, const mesh::Mesh& mesh, mechanics::Ingredients& result) {
+void add_fractures(const Setup& setup, const mesh::Mesh& mesh, const Regions& regions,
+                   mechanics::Ingredients& result) {
   std::vector<std::uint8_t> taken(mesh.joint.size(), 0);
   auto owner = static_cast<Index>(setup.material.size());
   for (const auto& [name, group] : setup.fracture) {
@@ -151,7 +187,7 @@ void add_fractures(const Setup& setup, const mesh::Mesh& mesh, mechanics::Ingred
              "each edge in one fracture table"});
       }
       taken[at(j)] = 1;
-      result.joint_kind[at(j)] = kinds.beside(result.joint_kind[at(j)]);
+      result.joint_kind[at(j)] = kinds.of(regions.rocks(j));
       result.joint_state[at(j)] =
           group.bond == Bond::broken ? JointState::closed : JointState::bonded;
     }
@@ -223,7 +259,7 @@ mechanics::Ingredients solid_ingredients(const Setup& setup, const mesh::Mesh& m
     result.joint_kind.push_back(regions.kind(j));
     result.joint_state.push_back(regions.state(j));
   }
-  add_fractures(setup, mesh, result);
+  add_fractures(setup, mesh, regions, result);
   add_scatter(setup, result);
   return result;
 }

@@ -84,6 +84,21 @@ TEST(Breakage, WithoutTensileStrengthAnyPullOpens) {
   ASSERT_EQ(broke.size(), 1u);
   EXPECT_EQ(broke[0].mode, Mode::tensile);
   EXPECT_EQ(pair.joint_force().x, 0.0);
+  EXPECT_EQ(broke[0].released, 0.0);
+  EXPECT_EQ(pair.energy().fracture, 0.0);
+}
+
+TEST(Breakage, WhatIsSpentDoesNotDependOnTheSteps) {
+  // Ten steps to the peak and a hundred past it, or a hundred times as many.
+  const double way = 1.1 * JointPair::opening_at_failure(brittle);
+  const auto spent = [&](int steps) {
+    JointPair pair(brittle, {{{way, 0.0}, steps}});
+    const auto broke = pair.move().broke;
+    return broke.size() == 1 ? broke[0].released : 0.0;
+  };
+  const double exact = spent(40000);
+  EXPECT_NEAR(spent(400), exact, 2e-3 * exact);
+  EXPECT_NEAR(spent(100), exact, 0.02 * exact);
 }
 
 TEST(Breakage, APointThatFailedEarlyCountsByHowItFailed) {

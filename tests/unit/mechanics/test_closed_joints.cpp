@@ -73,6 +73,15 @@ TEST(ClosedJoints, SticksThenSlidesThenTurnsBack) {
   EXPECT_LT(std::abs(e.residual), 1e-3 * e.friction);
 }
 
+TEST(ClosedJoints, InSituShearBeyondFrictionIsNotPaidFor) {
+  Model model = test::make_solid(test::make_grid({.columns = 2, .rows = 2}),
+                                 {.kind = rock(0.1), .joints = JointState::closed});
+  set_initial_stress(model, [](Point) { return Tensor{-4e6, -1e6, 1e6}; });
+  Dynamics dynamics = test::make_dynamics(std::move(model));
+  test::advance(dynamics, 1e-9, 1);
+  EXPECT_LT(dynamics.energy(Execution()).friction, 1e-6);
+}
+
 TEST(ClosedJoints, PullingPartsTheFaces) {
   JointPair pair(rock(0.4), {{{0.5 * pressed(), 0.0}, 10}, {{pressed(), 0.0}, 10}}, pressed(),
                  JointState::closed);

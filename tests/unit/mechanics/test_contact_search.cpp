@@ -150,6 +150,32 @@ TEST(ContactSearch, WhatWasThrownFarDoesNotMakeTheCellsCoarse) {
   EXPECT_LE(fullest, 20u);
 }
 
+TEST(ContactSearch, ASmallBodyFarAwayIsSearchedAsWellAsTheRest) {
+  std::vector<PlacedTriangle> placed;
+  const auto add = [&](int columns, int rows, Point corner) {
+    for (int x = 0; x < columns; ++x) {
+      for (int y = 0; y < rows; ++y) {
+        placed.push_back({corner + Point{0.8 * x, 0.8 * y}, {}, {0.9, 0.0}, {0.0, 0.9}});
+      }
+    }
+  };
+  add(80, 80, {0.0, 0.0});
+  add(7, 7, {5000.0, -300.0});
+  std::vector<Box> boxes;
+  for (const PlacedTriangle& t : placed) {
+    boxes.push_back(box_of(t, 0.05));
+  }
+  const CellGrid grid(boxes);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const auto range = grid.range_of(static_cast<Index>(i));
+    EXPECT_LE(grid.cell(range.first_column, range.first_row).size(), 30u);
+  }
+  const auto candidates = strangers(placed.size());
+  Execution execution;
+  const PairList found = find_pairs(candidates, placed, 0.1, execution);
+  EXPECT_EQ(found.pair, all_near(candidates, placed, 0.1));
+}
+
 TEST(ContactSearch, PlacesThatAreNoNumbersAreLeftOut) {
   const double nothing = std::numeric_limits<double>::quiet_NaN();
   const double infinite = std::numeric_limits<double>::infinity();

@@ -51,17 +51,19 @@ Dynamics stressed(JointState joints, double gravity = 0.0) {
 
 TEST(Excavation, NothingMovesUntilTheSupportFades) {
   for (const JointState joints : {JointState::tied, JointState::bonded}) {
-    Dynamics dynamics = stressed(joints);
-    const double dt = 0.8 * test::stable_step(dynamics);
-    test::advance(dynamics, dt, 5);
-    const std::vector<Index> triangles = dug_triangles(dynamics.model().mesh);
-    ASSERT_EQ(triangles.size(), 8u);
-    dynamics.take_out(triangles, 1e6);  // for ever, so to speak
-    test::advance(dynamics, dt, 200);
-    test::for_each_corner(dynamics.model().mesh, [&](Index, Index c) {
-      EXPECT_LT(test::distance(test::displacement(dynamics.model(), c), {}), 1e-11);
-    });
-    EXPECT_LT(dynamics.unbalanced_ratio(), 1e-5);
+    for (const int steps_before : {0, 5}) {
+      Dynamics dynamics = stressed(joints);
+      const double dt = 0.8 * test::stable_step(dynamics);
+      test::advance(dynamics, dt, steps_before);
+      const std::vector<Index> triangles = dug_triangles(dynamics.model().mesh);
+      ASSERT_EQ(triangles.size(), 8u);
+      dynamics.take_out(triangles, 1e6);  // for ever, so to speak
+      test::advance(dynamics, dt, 200);
+      test::for_each_corner(dynamics.model().mesh, [&](Index, Index c) {
+        EXPECT_LT(test::distance(test::displacement(dynamics.model(), c), {}), 1e-11);
+      });
+      EXPECT_LT(dynamics.unbalanced_ratio(), 1e-5);
+    }
   }
 }
 

@@ -63,5 +63,36 @@ TEST(SolidIngredients, AFractureTakesItsFrictionFromEachRockBesideIt) {
   EXPECT_EQ(frictions.size(), 2u);
 }
 
+TEST(SolidIngredients, AFractureBetweenTwoRocksHasTheSmallerFriction) {
+  // The fracture runs along x = 1/2, between both rocks; the angles are given either way round.
+  mesh::GmshMesh file = test::make_grid({.columns = 8, .rows = 8});
+  file.regions.push_back("clay");
+  for (std::size_t t = 0; t < file.triangles.size(); ++t) {
+    double x = 0.0;
+    for (const auto p : file.triangles[t]) {
+      x += file.points[static_cast<std::size_t>(p)].x / 3.0;
+    }
+    file.triangle_region[t] = x < 0.5 ? 1 : 0;
+  }
+  for (std::int32_t j = 0; j < 8; ++j) {
+    file.curves["fault"].push_back({9 * j + 4, 9 * (j + 1) + 4});
+  }
+  const mesh::Mesh mesh = mesh::build_mesh(file);
+  for (const auto& [sandstone, clay] : {std::pair{0.6, 0.2}, std::pair{0.2, 0.6}}) {
+    simulation::Setup setup = test::solid_setup();
+    Material other = setup.material["sandstone"];
+    other.regions = {"clay"};
+    other.strength.friction_angle = clay;
+    setup.material["clay"] = other;
+    setup.material["sandstone"].strength.friction_angle = sandstone;
+    setup.fracture["fault"].groups = {"fault"};
+    const mechanics::Ingredients from = solid_ingredients(setup, mesh);
+    for (const mesh::Index j : mesh.curves.at("fault").joints) {
+      const auto kind = static_cast<std::size_t>(from.joint_kind[static_cast<std::size_t>(j)]);
+      EXPECT_EQ(from.kind[kind].residual_friction, std::tan(0.2));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace percolith::simulation

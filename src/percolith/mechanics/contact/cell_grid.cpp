@@ -15,8 +15,9 @@ constexpr double farthest = 1e100;
 constexpr double most_cells = 4.0;
 constexpr double most_entries = 16.0;
 
-Index cell_number(double cell, Index cells) {
-  return static_cast<Index>(std::clamp(cell, 0.0, static_cast<double>(cells - 1)));
+Index cell_number(double cell) {
+  constexpr double furthest_cell = 1e9;
+  return static_cast<Index>(std::floor(std::clamp(cell, -furthest_cell, furthest_cell)));
 }
 
 Index cells_along(double extent, double size) {
@@ -25,8 +26,7 @@ Index cells_along(double extent, double size) {
 }
 
 /// Where most of the places lie: between their outer hundredths and as far again on both sides, but
-/// no further than they reach. What was thrown further must not make the cells of all others
-/// coarse.
+/// no further than they reach.
 std::pair<double, double> most_of(std::vector<double>& place) {
   const auto [least, greatest] = std::minmax_element(place.begin(), place.end());
   const std::pair<double, double> all{*least, *greatest};
@@ -73,8 +73,7 @@ void CellGrid::set_ranges(std::span<const Box> boxes, double size, const Point& 
 CellGrid::Range CellGrid::range_of(const Box& box) const {
   const Point low = inverse_size_ * (box.low - low_);
   const Point high = inverse_size_ * (box.high - low_);
-  return {cell_number(low.x, columns_), cell_number(high.x, columns_), cell_number(low.y, rows_),
-          cell_number(high.y, rows_)};
+  return {cell_number(low.x), cell_number(high.x), cell_number(low.y), cell_number(high.y)};
 }
 
 bool CellGrid::too_many(double boxes) const {
@@ -108,7 +107,7 @@ void CellGrid::choose_cells(std::span<const Box> boxes) {
   low_ = {x_low - size, y_low - size};
   const Point extent{x_high + size - low_.x, y_high + size - low_.y};
   set_ranges(boxes, size, extent);
-  while (too_many(count) && (columns_ > 1 || rows_ > 1)) {
+  while (too_many(count)) {
     size *= 1.5;
     set_ranges(boxes, size, extent);
   }
@@ -120,7 +119,7 @@ void CellGrid::fill() {
       const Range& r = ranges_[i];
       for (Index row = r.first_row; row <= r.last_row; ++row) {
         for (Index column = r.first_column; column <= r.last_column; ++column) {
-          add(at(row * columns_ + column), static_cast<Index>(i));
+          add(at(inside(row, rows_) * columns_ + inside(column, columns_)), static_cast<Index>(i));
         }
       }
     }

@@ -32,10 +32,12 @@ void for_each_partner(const CellGrid& grid, std::span<const Box> boxes, Index a,
   const Box box = boxes[at(a)];
   for (Index row = own.first_row; row <= own.last_row; ++row) {
     for (Index column = own.first_column; column <= own.last_column; ++column) {
+      Index last = a;
       for (const Index b : grid.cell(column, row)) {
-        if (b <= a || !boxes_meet(box, boxes[at(b)])) {
+        if (b <= last || !boxes_meet(box, boxes[at(b)])) {
           continue;
         }
+        last = b;
         // Of the cells that both are in, the first one counts.
         const CellGrid::Range& other = grid.range_of(b);
         if (column == std::max(own.first_column, other.first_column) &&
