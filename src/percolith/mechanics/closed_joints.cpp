@@ -11,7 +11,7 @@ namespace percolith::mechanics {
 namespace {
 
 /// Slip over the length of a joint beyond which its faces are left to contact.
-constexpr double facing_share = 0.01;
+constexpr double facing_share = 0.1;
 /// The same where in-situ stress presses the faces together.
 constexpr double pressed_share = 1.0;
 /// Opening over the length beyond which its faces have parted: above round-off, far below any
@@ -46,6 +46,31 @@ bool has_ended(const Model& model, const ClosedJoint& closed, const JointPoints&
   return slipped > (pressed ? pressed_share : facing_share) * length;
 }
 
+/// Force on end 1 of both faces that goes with a turn of the joint, N/m; end 0 has the opposite one.
+/// Opening o = a.n and slip s = a.l at a point change by the way a of the faces and by the turn of
+/// the joint, dl = n (n.dm)/|m| and dn = -l (n.dm)/|m| with its mean edge m, so that the work of the
+/// tractions, t_n do + t_s ds, has the part (t_s a.n - t_n a.l) (n.dm)/|m| besides that of the
+/// forces of the faces on each other.
+Point turn_of(const ClosedJoint& closed, const Model& model, const JointPoints& points,
+              const std::array<material::JointTraction<double>, 2>& t, double length) {
+  const auto& corner = model.mesh.joint[at(closed.joint)].corner;
+  const auto u = [&](std::size_t side, std::size_t end) {
+    const auto i = at(corner[side][end]);
+    return Point{model.motion.ux[i], model.motion.uy[i]};
+  };
+  const auto j = at(closed.joint);
+  const Point mean = Point{model.joints.ex[j], model.joints.ey[j]} +
+                     0.5 * ((u(0, 1) - u(0, 0)) + (u(1, 1) - u(1, 0)));
+  double moment = 0.0;
+  for (std::size_t g = 0; g < 2; ++g) {
+    const Point apart = apart_at(points.place, g);
+    moment += 0.5 * length *
+              (t[g].shear * dot(apart, points.place.across) -
+               t[g].normal * dot(apart, points.place.along));
+  }
+  return (-0.5 * moment / std::sqrt(dot(mean, mean))) * points.place.across;
+}
+
 struct ClosedForces {
   Model* model;
 
@@ -64,6 +89,7 @@ struct ClosedForces {
     }
     closed.loss = 0.5 * length * spent;
     closed.ended = has_ended(*model, closed, k, length);
+    closed.turn = turn_of(closed, *model, k, t, length);
     const auto f = joint_forces(k.place, length, t);
     double* out = model->joints.force.data() + force_slot(closed.joint);
     out[0] = f[0].x;
@@ -92,6 +118,15 @@ void add_closed_joints(Model& model, Execution& execution) {
   execution.for_each("closed joints", n, ClosedForces{&model});
   model.energy.closed_friction +=
       execution.sum(n, [&](Index i) { return model.closed[at(i)].loss; });
+}
+
+void add_turns(const Model& model, Contact& contact) {
+  for (const ClosedJoint& closed : model.closed) {
+    for (const auto& side : model.mesh.joint[at(closed.joint)].corner) {
+      contact.add_force(side[0], -1.0 * closed.turn);
+      contact.add_force(side[1], closed.turn);
+    }
+  }
 }
 
 std::vector<ClosedJointEnd> ended_closed_joints(const Model& model) {

@@ -3,6 +3,7 @@
 
 #include "percolith/core/execution.hpp"
 #include "percolith/material/joint_law.hpp"
+#include "percolith/mechanics/contact/contact.hpp"
 #include "percolith/mechanics/model.hpp"
 
 #include <vector>
@@ -14,6 +15,10 @@ namespace percolith::mechanics {
 /// books the energy friction spends.
 void add_closed_joints(Model& model, Execution& execution);
 
+/// Adds to the forces of contact those that go with the turns of the closed joints: the tractions of
+/// faces that have slid past each other have a moment, which these balance.
+void add_turns(const Model& model, Contact& contact);
+
 /// What a closed joint carries, and whether it goes on to be closed.
 struct ClosedJointEnd {
   Index joint = 0;
@@ -24,7 +29,7 @@ struct ClosedJointEnd {
 };
 
 /// The closed joints that were found in the last `add_closed_joints` to have ended: their faces
-/// have parted, or slid so far (a hundredth of their length) that they no longer face each other;
+/// have parted, or slid so far (a tenth of their length) that they no longer face each other;
 /// ascending.
 [[nodiscard]] std::vector<ClosedJointEnd> ended_closed_joints(const Model& model);
 

@@ -73,6 +73,7 @@ Changes Dynamics::advance(double dt, Execution& execution) {
   execution.for_each("joints", model_.mesh.joints(), JointForces(model_, table_));
   add_closed_joints(model_, execution);
   contact_.advance(model_.mesh, motion_of(model_), travelled_, model_.motion.last_step, execution);
+  add_turns(model_, contact_);
   loads_.apply(model_);
   supports_.apply(model_, dt);
   book(move(dt, execution), dt);

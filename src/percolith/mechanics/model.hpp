@@ -95,7 +95,8 @@ struct ClosedJoint {
   std::array<double, 2> shear{};  ///< traction along the joint in the last step, Pa, [point]
   std::array<double, 2> slip{};   ///< in the last step, m, [point]
   std::array<double, 2> slip_at_start{};  ///< m, [point]
-  double loss = 0.0;                      ///< spent by friction in the last step, J/m
+  Point turn{};       ///< N/m: keeps moments balanced, see `add_turns`
+  double loss = 0.0;  ///< spent by friction in the last step, J/m
   bool ended = false;                     ///< its faces have parted or slid too far
 };
 

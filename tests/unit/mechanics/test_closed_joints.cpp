@@ -97,9 +97,9 @@ TEST(ClosedJoints, PullingPartsTheFaces) {
 
 TEST(ClosedJoints, ContactTakesOverWithoutAJumpOfForceOrEnergy) {
   // Fast up to the place, slowly past it: energies are those half a step ago.
-  const double slow = 0.00004 * JointPair::length;
+  const double slow = 0.0004 * JointPair::length;
   JointPair pair(rock(0.4),
-                 {{{0.0, 0.00998 * JointPair::length}, 20000},
+                 {{{0.0, 0.0998 * JointPair::length}, 20000},
                   {{0.0, 0.25 * slow}, 400},
                   {{0.0, slow}, 1600},
                   {{0.0, 0.01 * JointPair::length}, 2000}},

@@ -120,7 +120,7 @@ private:
 
 /// Faces that have slid apart by a share of their length need so much more of the overlap that is
 /// left to press as before; what is beyond would be too stiff for the step.
-constexpr double play = 1.1;
+constexpr double play = 1.25;
 
 }  // namespace
 
@@ -194,6 +194,11 @@ void Contact::apply_hand_overs() {
 
 void Contact::advance(const mesh::Mesh& mesh, const CornerMotion& motion, double travelled,
                       double dt, Execution& execution) {
+  for (const Index corner : added_) {
+    force_x_[at(corner)] = 0.0;
+    force_y_[at(corner)] = 0.0;
+  }
+  added_.clear();
   if (candidates_.empty() && !stale_) {
     return;
   }
@@ -215,6 +220,13 @@ void Contact::advance(const mesh::Mesh& mesh, const CornerMotion& motion, double
                      Gather{blocks_.data(), &rows_, states_.force.data(),
                             forces_.front().value.data(), mesh.triangles(), force_x_.data(),
                             force_y_.data(), acts_.data()});
+}
+
+void Contact::add_force(Index corner, const Point& force) {
+  force_x_[at(corner)] += force.x;
+  force_y_[at(corner)] += force.y;
+  acts_[at(mesh::triangle_of(corner) / block_width)] = 1;
+  added_.push_back(corner);
 }
 
 }  // namespace percolith::mechanics

@@ -84,6 +84,9 @@ public:
   void advance(const mesh::Mesh& mesh, const CornerMotion& motion, double travelled, double dt,
                Execution& execution);
 
+  /// Adds a force (N/m) on a corner to those of contact, until the next `advance`.
+  void add_force(Index corner, const Point& force);
+
   /// Ends the contacts of triangles that are about to be taken out, `removed` is 1 for these, with
   /// the forces of the last `advance`; `topology_changed` has to follow.
   [[nodiscard]] ContactRelease release(const mesh::Mesh& mesh, const CornerMotion& motion,
@@ -158,6 +161,7 @@ private:
   double travelled_ = 0.0;               // m, since the search
   CompensatedSum friction_dissipation_;  // J/m, up to the search
   std::vector<double> force_x_, force_y_;
+  std::vector<Index> added_;  // corners that were given forces since the last step
   std::vector<std::uint8_t> acts_;
 };
 
