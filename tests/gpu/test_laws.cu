@@ -29,14 +29,18 @@ struct JointLaw {
   PERCOLITH_DEVICE void operator()(const double* in, double* out) const {
     const material::JointConstants<double> c{1e12, 5e6, 15e6, 0.6, 1e4, 1e4};
     material::JointMemory<double> memory{1e-4 * (in[2] + 1.0), 1e-4 * (in[3] + 1.0),
-                                         in[4] > 0.0 ? 0.9 * in[4] : 0.0};
+                                         in[4] > 0.0 ? 0.9 * in[4] : 0.0,
+                                         1e11 * (in[8] + 1.0),
+                                         1e6 * in[9],
+                                         1e-5 * in[10]};
     const auto t = material::softening_traction(c, 1e-4 * in[0], 1e-4 * in[1], memory);
     out[0] = t.normal;
     out[1] = t.shear;
     out[2] = memory.opening_peak;
     out[3] = memory.slip_peak;
     out[4] = memory.damage;
-    out[5] = material::stored_energy(t, 1e-4 * in[0], 1e-4 * in[1], c.stiffness, memory.damage);
+    out[5] = material::stored_energy(
+        c, material::moment_of(c, 1e-4 * in[0], 1e-4 * in[1], t, memory));
     out[6] = material::softening(0.5 * (in[5] + 1.0));
     const auto slid = material::friction_step(1e6 * in[6], 1e9, 1e-3 * in[7], 5e5);
     out[7] = slid.force + slid.loss;
@@ -47,20 +51,17 @@ struct JointLossLaw {
   PERCOLITH_DEVICE void operator()(const double* in, double* out) const {
     const material::JointConstants<double> c{1e12, 5e6, 15e6, 0.6, 1e4, 1e4};
     // Half of the points were whole before, half of them are under compression.
-    material::JointMemory<double> memory{1e-4, 1e-4, in[0] > 0.0 ? 0.9 * in[0] : 0.0};
-    const double opening = 1e-4 * in[1];
-    const double slip = 1e-4 * in[2];
-    material::JointMoment<double> before{opening - 1e-6 * in[3], slip - 1e-6 * in[4], {},
-                                         memory.damage};
-    material::JointMemory<double> then = memory;
-    before.traction = material::softening_traction(c, before.opening, before.slip, then);
-    const auto t = material::softening_traction(c, opening, slip, memory);
-    const auto loss =
-        material::joint_loss(c, before, {opening, slip, t, memory.damage}, memory);
+    material::JointMemory<double> memory{
+        1e-4, 1e-4, in[0] > 0.0 ? 0.9 * in[0] : 0.0, 1e11, 1e6 * in[5], 1e-5 * in[6]};
+    const auto first = material::softening_traction(c, 1e-4 * in[3], 1e-4 * in[4], memory);
+    const auto before = material::moment_of(c, 1e-4 * in[3], 1e-4 * in[4], first, memory);
+    const auto t = material::softening_traction(c, 1e-4 * in[1], 1e-4 * in[2], memory);
+    const auto now = material::moment_of(c, 1e-4 * in[1], 1e-4 * in[2], t, memory);
+    const auto loss = material::joint_loss(c, before, now);
     out[0] = loss.bond;
     out[1] = loss.friction;
-    out[2] = material::friction_of(c, opening, slip, memory);
-    out[3] = material::moment_at_peak(c, {opening, slip, t, memory.damage}).traction.shear;
+    out[2] = memory.friction;
+    out[3] = material::moment_at_peak(c, now).friction;
     for (int k = 4; k < outputs; ++k) {
       out[k] = 0.0;
     }

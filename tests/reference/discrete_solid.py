@@ -8,7 +8,7 @@ Laws: Saint Venant-Kirchhoff triangles (8), (9); joints with softening, section 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import exp, hypot, sqrt, tan
+from math import exp, hypot, inf, sqrt, tan
 
 import numpy as np
 
@@ -57,6 +57,7 @@ class JointPoint:
         self.opening_range = bond.mode_1 / (integral * bond.tensile)
         self.slip_range = bond.mode_2 / (integral * bond.cohesion)
         self.damage = self.most_opened = self.most_slid = 0.0
+        self.slope = self.friction = self.slip = 0.0
 
     def traction(self, opening: float, slip: float) -> tuple[float, float]:
         bond = self.bond
@@ -68,13 +69,20 @@ class JointPoint:
             max(0.0, abs(slip) - slip_at_peak) / self.slip_range)))
         if self.damage == 0:
             return self.stiffness * opening, self.stiffness * slip
+        if self.slope == 0:  # just past its peak, which friction bore its part of
+            self.slope = inf
+            self.slip = min(max(slip, -slip_at_peak), slip_at_peak)
+            self.friction = self.stiffness * self.slip * rub / (bond.cohesion + rub)
         self.most_opened = max(self.most_opened, opening)
         self.most_slid = max(self.most_slid, abs(slip))
         left = softening(self.damage)
         normal = (left * bond.tensile * opening / max(self.most_opened, opening_at_peak)
                   if opening > 0 else self.stiffness * opening)
-        shear = (left * bond.cohesion + rub) * slip / max(self.most_slid, slip_at_peak)
-        return normal, shear
+        self.slope = min(self.slope, left * bond.cohesion / max(self.most_slid, slip_at_peak))
+        trial = self.friction + (self.stiffness - self.slope) * (slip - self.slip)
+        self.friction = min(max(trial, -rub), rub)
+        self.slip = slip
+        return normal, self.slope * slip + self.friction
 
 
 class Solid:

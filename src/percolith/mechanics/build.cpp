@@ -106,8 +106,8 @@ Joints make_joints(const mesh::Mesh& mesh, const Ingredients& from) {
     joints.opening_peak[g].assign(n, 0.0);
     joints.slip_peak[g].assign(n, 0.0);
     joints.damage[g].assign(n, 0.0);
-    for (auto* past :
-         {&joints.past.opening, &joints.past.slip, &joints.past.normal, &joints.past.shear}) {
+    for (auto* past : {&joints.past.opening, &joints.past.slip, &joints.past.normal,
+                       &joints.past.shear, &joints.past.slope, &joints.past.friction}) {
       (*past)[g].assign(n, 0.0);
     }
   }
@@ -224,6 +224,8 @@ void switch_off(Model& model, Index joint) {
     model.joints.damage[g][j] = 0.0;
     model.joints.past.normal[g][j] = 0.0;
     model.joints.past.shear[g][j] = 0.0;
+    model.joints.past.slope[g][j] = 0.0;
+    model.joints.past.friction[g][j] = 0.0;
   }
   double* force = model.joints.force.data() + force_slot(joint);
   for (Index component = 0; component < 4; ++component) {

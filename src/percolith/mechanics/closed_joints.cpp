@@ -46,11 +46,11 @@ bool has_ended(const Model& model, const ClosedJoint& closed, const JointPoints&
   return slipped > (pressed ? pressed_share : facing_share) * length;
 }
 
-/// Force on end 1 of both faces that goes with a turn of the joint, N/m; end 0 has the opposite one.
-/// Opening o = a.n and slip s = a.l at a point change by the way a of the faces and by the turn of
-/// the joint, dl = n (n.dm)/|m| and dn = -l (n.dm)/|m| with its mean edge m, so that the work of the
-/// tractions, t_n do + t_s ds, has the part (t_s a.n - t_n a.l) (n.dm)/|m| besides that of the
-/// forces of the faces on each other.
+/// Force on end 1 of both faces that goes with a turn of the joint, N/m; end 0 has the opposite
+/// one. Opening o = a.n and slip s = a.l at a point change by the way a of the faces and by the
+/// turn of the joint, dl = n (n.dm)/|m| and dn = -l (n.dm)/|m| with its mean edge m, so that the
+/// work of the tractions, t_n do + t_s ds, has the part (t_s a.n - t_n a.l) (n.dm)/|m| besides that
+/// of the forces of the faces on each other.
 Point turn_of(const ClosedJoint& closed, const Model& model, const JointPoints& points,
               const std::array<material::JointTraction<double>, 2>& t, double length) {
   const auto& corner = model.mesh.joint[at(closed.joint)].corner;

@@ -15,8 +15,8 @@ namespace percolith::mechanics {
 /// books the energy friction spends.
 void add_closed_joints(Model& model, Execution& execution);
 
-/// Adds to the forces of contact those that go with the turns of the closed joints: the tractions of
-/// faces that have slid past each other have a moment, which these balance.
+/// Adds to the forces of contact those that go with the turns of the closed joints: the tractions
+/// of faces that have slid past each other have a moment, which these balance.
 void add_turns(const Model& model, Contact& contact);
 
 /// What a closed joint carries, and whether it goes on to be closed.

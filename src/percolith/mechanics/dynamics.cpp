@@ -207,6 +207,8 @@ void Dynamics::add_to(StateHash& hash) const {
     hash.add(model_.joints.damage[g]);
     hash.add(model_.joints.opening_peak[g]);
     hash.add(model_.joints.slip_peak[g]);
+    hash.add(model_.joints.past.slope[g]);
+    hash.add(model_.joints.past.friction[g]);
   }
   for (const ClosedJoint& closed : model_.closed) {
     hash.add(closed.shear);

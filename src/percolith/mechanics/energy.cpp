@@ -33,11 +33,10 @@ double stored_in_joints(const Model& model, const JointTable& table, const Execu
       return 0.0;
     }
     const JointPoints points = joint_points(model, table, j, back);
+    const material::JointConstants<double> c = joint_constants(model, table, j);
     double stored = 0.0;
     for (std::size_t g = 0; g < 2; ++g) {
-      stored +=
-          material::stored_energy(points.traction[g], points.opening[g], points.slip[g],
-                                  model.joints.stiffness[at(j)], model.joints.damage[g][at(j)]);
+      stored += material::stored_energy(c, points.moment[g]);
     }
     return 0.5 * model.mesh.joint_length(j) * stored;
   });

@@ -42,6 +42,8 @@ JointForces::JointForces(Model& model, const JointTable& table)
       past_slip_{model.joints.past.slip[0].data(), model.joints.past.slip[1].data()},
       past_normal_{model.joints.past.normal[0].data(), model.joints.past.normal[1].data()},
       past_shear_{model.joints.past.shear[0].data(), model.joints.past.shear[1].data()},
+      past_slope_{model.joints.past.slope[0].data(), model.joints.past.slope[1].data()},
+      past_friction_{model.joints.past.friction[0].data(), model.joints.past.friction[1].data()},
       spent_(model.joints.past.spent.data()), rubbed_(model.joints.past.rubbed.data()),
       condition_(model.joints.condition.data()), force_(model.joints.force.data()) {}
 

@@ -114,15 +114,17 @@ private:
     Real least(1.0);
     Real spent(0.0);
     Real rubbed(0.0);
+    const auto bonded = c.stiffness > Real(0.0);
     for (std::size_t g = 0; g < 2; ++g) {
-      material::JointMemory<Real> memory{Lane::load(opening_peak_[g] + j),
-                                         Lane::load(slip_peak_[g] + j), Lane::load(damage_[g] + j)};
+      material::JointMemory<Real> memory{
+          Lane::load(opening_peak_[g] + j),  Lane::load(slip_peak_[g] + j),
+          Lane::load(damage_[g] + j),        Lane::load(past_slope_[g] + j),
+          Lane::load(past_friction_[g] + j), Lane::load(past_slip_[g] + j)};
       const Real damage_before = memory.damage;
       t[g] = material::softening_traction(c, opening[g], slip[g], memory);
-      const auto bonded = c.stiffness > Real(0.0);
-      const material::JointMoment<Real> now{opening[g], slip[g], t[g], memory.damage};
+      const auto now = material::moment_of(c, opening[g], slip[g], t[g], memory);
       const material::JointLoss<Real> lost =
-          material::joint_loss(c, exchange_moment<Lane>(j, g, damage_before, now), now, memory);
+          material::joint_loss(c, exchange_moment<Lane>(j, g, damage_before, now), now);
       spent += select(bonded, lost.bond, Real(0.0));
       rubbed += select(bonded, lost.friction, Real(0.0));
       Lane::store(opening_peak_[g] + j, memory.opening_peak);
@@ -149,11 +151,15 @@ private:
         Lane::load(past_opening_[g] + j),
         Lane::load(past_slip_[g] + j),
         {Lane::load(past_normal_[g] + j), Lane::load(past_shear_[g] + j)},
+        Lane::load(past_slope_[g] + j),
+        Lane::load(past_friction_[g] + j),
         damage_before};
     Lane::store(past_opening_[g] + j, now.opening);
     Lane::store(past_slip_[g] + j, now.slip);
     Lane::store(past_normal_[g] + j, now.traction.normal);
     Lane::store(past_shear_[g] + j, now.traction.shear);
+    Lane::store(past_slope_[g] + j, now.slope);
+    Lane::store(past_friction_[g] + j, now.friction);
     return before;
   }
 
@@ -170,7 +176,8 @@ private:
   bool starts_;
   std::array<const double*, 2> opening_start_, slip_start_;
   std::array<double*, 2> opening_peak_, slip_peak_, damage_;
-  std::array<double*, 2> past_opening_, past_slip_, past_normal_, past_shear_;
+  std::array<double*, 2> past_opening_, past_slip_, past_normal_, past_shear_, past_slope_,
+      past_friction_;
   double* spent_;
   double* rubbed_;
   std::uint8_t* condition_;

@@ -44,10 +44,12 @@ JointPoints joint_points(const Model& model, const JointTable& table, Index j, d
   JointPoints points = joint_openings(model, j, back);
   const material::JointConstants<double> c = joint_constants(model, table, j);
   for (std::size_t g = 0; g < 2; ++g) {
-    points.memory[g] = {joints.opening_peak[g][at(j)], joints.slip_peak[g][at(j)],
-                        joints.damage[g][at(j)]};
-    points.traction[g] =
-        material::softening_traction(c, points.opening[g], points.slip[g], points.memory[g]);
+    material::JointMemory<double> memory{
+        joints.opening_peak[g][at(j)], joints.slip_peak[g][at(j)],     joints.damage[g][at(j)],
+        joints.past.slope[g][at(j)],   joints.past.friction[g][at(j)], joints.past.slip[g][at(j)]};
+    points.traction[g] = material::softening_traction(c, points.opening[g], points.slip[g], memory);
+    points.moment[g] =
+        material::moment_of(c, points.opening[g], points.slip[g], points.traction[g], memory);
   }
   return points;
 }
@@ -66,10 +68,10 @@ material::JointLoss<double> bond_loss_since(const Model& model, const JointTable
     const material::JointMoment<double> before{past.opening[g][at(j)],
                                                past.slip[g][at(j)],
                                                {past.normal[g][at(j)], past.shear[g][at(j)]},
+                                               past.slope[g][at(j)],
+                                               past.friction[g][at(j)],
                                                joints.damage[g][at(j)]};
-    const material::JointMoment<double> now{points.opening[g], points.slip[g], points.traction[g],
-                                            points.memory[g].damage};
-    const auto lost = material::joint_loss(c, before, now, points.memory[g]);
+    const auto lost = material::joint_loss(c, before, points.moment[g]);
     sum.bond += 0.5 * model.mesh.joint_length(j) * lost.bond;
     sum.friction += 0.5 * model.mesh.joint_length(j) * lost.friction;
   }

@@ -11,7 +11,7 @@ struct JointPoints {
   JointPlace<double> place;
   std::array<double, 2> opening{}, slip{};                    ///< m, in-situ start included
   std::array<material::JointTraction<double>, 2> traction{};  ///< Pa; of the bond, 0 without one
-  std::array<material::JointMemory<double>, 2> memory{};      ///< brought up to date
+  std::array<material::JointMoment<double>, 2> moment{};      ///< the same with its parts
 };
 
 /// Constants of the law of a joint, its stiffness and the scatter of its strengths included.

@@ -53,6 +53,8 @@ struct Triangles {
 struct JointPast {
   std::array<std::vector<double>, 2> opening, slip;  ///< in the last step, m, [point]
   std::array<std::vector<double>, 2> normal, shear;  ///< traction in the last step, Pa, [point]
+  std::array<std::vector<double>, 2> slope;          ///< of cohesion over slip, Pa/m, [point]
+  std::array<std::vector<double>, 2> friction;       ///< part of the shear traction, Pa, [point]
   std::vector<double> spent;                         ///< by the bond, friction not included, J/m
   std::vector<double> rubbed;                        ///< by friction while the bond softened, J/m
 };
@@ -95,8 +97,8 @@ struct ClosedJoint {
   std::array<double, 2> shear{};  ///< traction along the joint in the last step, Pa, [point]
   std::array<double, 2> slip{};   ///< in the last step, m, [point]
   std::array<double, 2> slip_at_start{};  ///< m, [point]
-  Point turn{};       ///< N/m: keeps moments balanced, see `add_turns`
-  double loss = 0.0;  ///< spent by friction in the last step, J/m
+  Point turn{};                           ///< N/m: keeps moments balanced, see `add_turns`
+  double loss = 0.0;                      ///< spent by friction in the last step, J/m
   bool ended = false;                     ///< its faces have parted or slid too far
 };
 
