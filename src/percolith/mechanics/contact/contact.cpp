@@ -209,10 +209,21 @@ void Contact::advance(const mesh::Mesh& mesh, const CornerMotion& motion, double
     add_pairs(mesh, motion, execution);
   }
   apply_hand_overs();
+  std::vector<Index> new_pairs;
+  for (Index p = 0; starts_ && p < states_.size(); ++p) {
+    if (states_.start[at(p)] != PairStart::none) {
+      new_pairs.push_back(p);
+    }
+  }
   execution.for_each_chunk(
       "contact force", states_.size(), pair_chunk,
       PairForces{&states_, forces_.data(), &undeformed_, motion, handed_, travelled_, dt, starts_});
   starts_ = false;
+  for (const Index p : new_pairs) {
+    if (states_.state[at(p)].offset > 0.0) {
+      states_.origin[at(p)] = overlap_of_pair(mesh, motion, p);
+    }
+  }
   if (forces_.empty()) {
     return;
   }

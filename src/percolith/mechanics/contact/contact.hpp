@@ -127,6 +127,8 @@ private:
                                       Index triangle) const;
   [[nodiscard]] std::vector<PlacedTriangle>
   place(const mesh::Mesh& mesh, const CornerMotion& motion, Execution& execution) const;
+  [[nodiscard]] PairOrigin overlap_of_pair(const mesh::Mesh& mesh, const CornerMotion& motion,
+                                           Index pair) const;
   [[nodiscard]] double pressed_energy(const mesh::Mesh& mesh, const CornerMotion& motion,
                                       Index pair) const;
   [[nodiscard]] Surface surface_of(const mesh::Mesh& mesh, Index triangle) const;

@@ -10,20 +10,33 @@
 namespace percolith::mechanics {
 namespace {
 
-/// Share of the energy `whole` (J/m) of an overlap that is left to a pair whose force is less by
-/// `offset` (N/m). As the overlap deepens its force grows with a power m of the depth, 1 where
-/// faces meet and 2 where a corner does; m + 1 is force times depth over energy. From the depth at
-/// which the force was the offset, a share r of that of now, the rest has done the work 1 + m
-/// r^(m+1) - (m+1) r^m.
-double share_beyond(const OverlapForce& overlap, double whole, double offset) {
-  const double force = std::sqrt(dot(overlap.total, overlap.total));
-  if (!(force > offset)) {
+/// The overlap of a pair as the integral (4) sees it: energy, J/m, and force, N/m.
+PairOrigin overlap_now(const PlacedPair& pair, const std::array<double, 2>& stiffness) {
+  const std::array<double, 2> penalty{stiffness[0] / twice_area(pair.first),
+                                      stiffness[1] / twice_area(pair.second)};
+  const Polygon overlap = overlap_of(pair.first, pair.second);
+  const Point force = overlap_force(pair, penalty).total;
+  return {penalty[0] * potential_over(overlap, pair.first) +
+              penalty[1] * potential_over(overlap, pair.second),
+          std::sqrt(dot(force, force))};
+}
+
+/// Energy (J/m) of a pair whose force F is less by `offset` (N/m), int (1 - offset/F) dU from where
+/// F was the offset: between the overlap it started from and that of now F is taken as a power of
+/// the energy U.
+double energy_beyond(const PairOrigin& start, const PairOrigin& now, double offset) {
+  if (!(now.force > offset) || !(start.energy > 0.0)) {
     return 0.0;
   }
-  const double depth = extent_along(overlap, (1.0 / force) * overlap.total);
-  const double power = std::clamp(force * depth / whole - 1.0, 1.0, 2.0);
-  const double ratio = std::pow(offset / force, 1.0 / power);
-  return 1.0 + std::pow(ratio, power) * (power * ratio - (power + 1.0));
+  const bool grew = now.energy > 1.001 * start.energy && now.force > start.force;
+  // Where faces meet the force grows as the root of the energy, where a corner does with 2/3.
+  const double power =
+      grew ? std::clamp(std::log(now.force / start.force) / std::log(now.energy / start.energy), 0.1,
+                        0.95)
+           : 0.5;
+  const double from = now.energy * std::pow(offset / now.force, 1.0 / power);
+  const double rest = 1.0 - power;
+  return now.energy - from - from / rest * (std::pow(now.energy / from, rest) - 1.0);
 }
 
 }  // namespace
@@ -44,22 +57,22 @@ double Contact::stored_tangential() const {
   return sum.total();
 }
 
+PairOrigin Contact::overlap_of_pair(const mesh::Mesh& mesh, const CornerMotion& motion,
+                                    Index pair) const {
+  const auto [a, b] = states_.triangles(pair);
+  return overlap_now(place_pair(placed(mesh, motion, a), placed(mesh, motion, b)),
+                     states_.nature[at(pair)].stiffness);
+}
+
 double Contact::pressed_energy(const mesh::Mesh& mesh, const CornerMotion& motion,
                                Index pair) const {
-  const auto [a, b] = states_.triangles(pair);
-  const PlacedPair now = place_pair(placed(mesh, motion, a), placed(mesh, motion, b));
-  const auto& stiffness = states_.nature[at(pair)].stiffness;
-  const std::array<double, 2> penalty{stiffness[0] / twice_area(now.first),
-                                      stiffness[1] / twice_area(now.second)};
-  const Polygon overlap = overlap_of(now.first, now.second);
-  const double whole = penalty[0] * potential_over(overlap, now.first) +
-                       penalty[1] * potential_over(overlap, now.second);
+  const PairOrigin now = overlap_of_pair(mesh, motion, pair);
   const PairState<double>& state = states_.state[at(pair)];
-  double share = state.factor;
-  if (state.offset > 0.0 && whole > 0.0) {
-    share *= share_beyond(overlap_force(now, penalty), whole, state.offset / state.factor);
+  if (state.offset > 0.0) {
+    return state.factor *
+           energy_beyond(states_.origin[at(pair)], now, state.offset / state.factor);
   }
-  return share * whole;
+  return state.factor * now.energy;
 }
 
 double Contact::potential_energy(const mesh::Mesh& mesh, const CornerMotion& motion) const {

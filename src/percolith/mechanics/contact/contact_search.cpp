@@ -115,6 +115,7 @@ void Contact::carry_over(PairStates& states, const PairRows& rows) {
     next = p + 1;
     states.state[at(p)] = state;
     states.state[at(p)].loss = 0.0;
+    states.origin[at(p)] = states_.origin[at(old)];
     states.rest[at(p)] = std::max(0.0, states_.rest[at(old)] - travelled_);
     states.start[at(p)] = PairStart::none;
   }

@@ -8,6 +8,7 @@ namespace percolith::mechanics {
 void PairStates::reserve(std::size_t pairs) {
   nature.reserve(pairs);
   state.reserve(pairs);
+  origin.reserve(pairs);
   start.reserve(pairs);
   rest.reserve(pairs);
   force.reserve(pairs);
@@ -21,6 +22,7 @@ void PairStates::add(const Surface& a, const Surface& b) {
                     std::min(a.friction, b.friction),
                     {a.slot, b.slot}});
   state.emplace_back();
+  origin.emplace_back();
   start.push_back(PairStart::fresh);
   rest.push_back(0.0);
   force.push_back(mesh::none);

@@ -57,6 +57,13 @@ struct alignas(pair_alignment) PairState {
   Real depth = 0.0;       ///< m, extent of the overlap along f; 0 without overlap
 };
 
+/// The overlap from which a pair with an offset started: energy (J/m) and force (N/m) of the integral
+/// (4).
+struct PairOrigin {
+  double energy = 0.0;
+  double force = 0.0;
+};
+
 /// Forces on both triangles of the pairs of a block, N/m: x of corners 0, 1, 2 and then y, of the
 /// first triangle and then of the second, eight each.
 struct alignas(pair_alignment) PairForceBlock {
@@ -68,6 +75,7 @@ struct alignas(pair_alignment) PairForceBlock {
 struct PairStates {
   std::vector<PairNature> nature;
   std::vector<PairState<double>> state;
+  std::vector<PairOrigin> origin;
   std::vector<PairStart> start;
   /// Way from the search (m) up to which the triangles cannot meet.
   std::vector<double> rest;
