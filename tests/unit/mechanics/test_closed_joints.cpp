@@ -82,6 +82,31 @@ TEST(ClosedJoints, InSituShearBeyondFrictionIsNotPaidFor) {
   EXPECT_LT(dynamics.energy(Execution()).friction, 1e-6);
 }
 
+TEST(ClosedJoints, FacesThatHaveSlidBalanceTheirMoments) {
+  JointPair pair(rock(0.4), {{{0.0, 0.05 * JointPair::length}, 2000}, {{0.0, 0.0}, 2}}, pressed(),
+                 JointState::closed);
+  pair.move();
+  pair.move();
+  const Model& model = pair.model();
+  double of_faces = 0.0;
+  double all = 0.0;
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (std::size_t end = 0; end < 2; ++end) {
+      const Index c = model.mesh.joint[0].corner[side][end];
+      const Point p = model.mesh.place_of(c) + test::displacement(model, c);
+      const double* f = model.joints.force.data() + 2 * block_width * static_cast<Index>(end);
+      const Point face = (side == 0 ? 1.0 : -1.0) * Point{f[0], f[block_width]};
+      const Point turn{pair.dynamics().contact().force_x()[at(c)],
+                       pair.dynamics().contact().force_y()[at(c)]};
+      of_faces += cross(p, face);
+      all += cross(p, face + turn);
+    }
+  }
+  const double scale = pressure * JointPair::length * JointPair::length;
+  EXPECT_GT(std::abs(of_faces), 0.04 * scale);
+  EXPECT_LT(std::abs(all), 1e-12 * scale);
+}
+
 TEST(ClosedJoints, PullingPartsTheFaces) {
   JointPair pair(rock(0.4), {{{0.5 * pressed(), 0.0}, 10}, {{pressed(), 0.0}, 10}}, pressed(),
                  JointState::closed);
