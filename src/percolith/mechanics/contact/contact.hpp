@@ -106,8 +106,7 @@ public:
   /// Energy of the normal forces of the last `advance` at the positions it was given, J/m: for each
   /// pair
   /// factor p (A0_a/A_a int phi_a dA + A0_b/A_b int phi_b dA), see `overlap_force`. Of a pair with
-  /// an offset only that part counts which the force did beyond the offset, as a power of the
-  /// depth.
+  /// an offset only that part counts which the force did beyond the offset.
   [[nodiscard]] double potential_energy(const mesh::Mesh& mesh, const CornerMotion& motion) const;
   /// Pairs that are looked at, and those of them that overlap.
   [[nodiscard]] Index listed_pairs() const { return states_.size(); }

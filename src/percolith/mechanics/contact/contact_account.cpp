@@ -31,8 +31,8 @@ double energy_beyond(const PairOrigin& start, const PairOrigin& now, double offs
   const bool grew = now.energy > 1.001 * start.energy && now.force > start.force;
   // Where faces meet the force grows as the root of the energy, where a corner does with 2/3.
   const double power =
-      grew ? std::clamp(std::log(now.force / start.force) / std::log(now.energy / start.energy), 0.1,
-                        0.95)
+      grew ? std::clamp(std::log(now.force / start.force) / std::log(now.energy / start.energy),
+                        0.1, 0.95)
            : 0.5;
   const double from = now.energy * std::pow(offset / now.force, 1.0 / power);
   const double rest = 1.0 - power;
@@ -69,8 +69,7 @@ double Contact::pressed_energy(const mesh::Mesh& mesh, const CornerMotion& motio
   const PairOrigin now = overlap_of_pair(mesh, motion, pair);
   const PairState<double>& state = states_.state[at(pair)];
   if (state.offset > 0.0) {
-    return state.factor *
-           energy_beyond(states_.origin[at(pair)], now, state.offset / state.factor);
+    return state.factor * energy_beyond(states_.origin[at(pair)], now, state.offset / state.factor);
   }
   return state.factor * now.energy;
 }

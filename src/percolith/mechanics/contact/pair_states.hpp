@@ -57,8 +57,8 @@ struct alignas(pair_alignment) PairState {
   Real depth = 0.0;       ///< m, extent of the overlap along f; 0 without overlap
 };
 
-/// The overlap from which a pair with an offset started: energy (J/m) and force (N/m) of the integral
-/// (4).
+/// The overlap from which a pair with an offset started: energy (J/m) and force (N/m) of the
+/// integral (4).
 struct PairOrigin {
   double energy = 0.0;
   double force = 0.0;
