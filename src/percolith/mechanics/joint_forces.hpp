@@ -59,6 +59,9 @@ struct JointForces {
   }
 
 private:
+  /// Opening over the length of a joint, at a point that has failed, at which all of it does.
+  static constexpr double gaping_share = 0.1;
+
   template <class Lane>
   PERCOLITH_DEVICE std::array<std::array<Vec2<typename Lane::Real>, 2>, 2>
   displacements(Index j) const {
@@ -112,6 +115,7 @@ private:
                                std::uint8_t& block) const {
     using Real = typename Lane::Real;
     Real least(1.0);
+    Real gap(0.0);  // opening of a point that has failed
     Real spent(0.0);
     Real rubbed(0.0);
     const auto bonded = c.stiffness > Real(0.0);
@@ -131,6 +135,13 @@ private:
       Lane::store(slip_peak_[g] + j, memory.slip_peak);
       Lane::store(damage_[g] + j, memory.damage);
       least = smaller(least, memory.damage);
+      gap = larger(gap, select(memory.damage >= Real(1.0), opening[g], Real(0.0)));
+    }
+    // Faces that gape hang on one point like on a hinge, and the law is not made for what turns.
+    const auto gapes = gap > Real(gaping_share) * length;
+    least = select(gapes, Real(1.0), least);
+    for (double* damage : damage_) {
+      Lane::store(damage + j, select(gapes, Real(1.0), Lane::load(damage + j)));
     }
     const Real half = Real(0.5) * length;
     Lane::store(spent_ + j, Lane::load(spent_ + j) + half * spent);

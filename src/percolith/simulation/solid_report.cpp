@@ -152,6 +152,10 @@ double b_value(std::span<const double> magnitudes) {
   return std::log10(std::exp(1.0)) / (sum / count - least + 0.5 * bin);
 }
 
+double solid_energy_error(const SolidRun& run) {
+  return energy_error(run.dynamics.energy(run.execution));
+}
+
 Summary solid_summary(const SolidRun& run) {
   Summary summary = run.summary;
   const mechanics::Dynamics& dynamics = run.dynamics;

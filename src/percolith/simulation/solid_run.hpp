@@ -50,6 +50,9 @@ struct SolidRun {
 [[nodiscard]] HistoryRow solid_history_row(SolidRun& run, double step_size);
 /// What the run came to.
 [[nodiscard]] Summary solid_summary(const SolidRun& run);
+/// Largest share of the work done on the rock, and of the energy it had, that no term of the energy
+/// balance accounts for.
+[[nodiscard]] double solid_energy_error(const SolidRun& run);
 /// Counts, limits and what is worth knowing before the run.
 [[nodiscard]] CheckReport solid_check(const SolidRun& run);
 [[nodiscard]] std::vector<std::string> solid_warnings(const SolidRun& run);

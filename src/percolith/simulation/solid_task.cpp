@@ -121,6 +121,7 @@ private:
   void dig();
   double make_step(double event, Observer& observer);
   bool is_at_rest();
+  void warn_of_energy(Observer& observer);
   void report_frame(Observer& observer);
   void report_history(double step_size, Observer& observer);
 
@@ -195,6 +196,19 @@ void SolidTask::report_history(double step_size, Observer& observer) {
   run_.execution.book("output", start);
 }
 
+void SolidTask::warn_of_energy(Observer& observer) {
+  constexpr double bearable = 0.05;
+  const double error = solid_energy_error(run_);
+  if (error > bearable) {
+    run_.summary.warnings.push_back(
+        fmt::format("the energy balance misses {:.2g} of the energy: do not trust the results from "
+                    "where residual_J_per_m of history.csv grows; a lower time.safety or some "
+                    "damping may help",
+                    error));
+    observer.on_warning(run_.summary.warnings.back());
+  }
+}
+
 bool SolidTask::run(Observer& observer, const std::function<bool()>& stop) {
   for (const std::string& warning : run_.summary.warnings) {
     observer.on_warning(warning);
@@ -228,6 +242,7 @@ bool SolidTask::run(Observer& observer, const std::function<bool()>& stop) {
     }
     observer.on_progress({time(), end, dt, run_.summary.steps, 0, limited_by, run_.broken.count});
   }
+  warn_of_energy(observer);
   return time() >= end || run_.summary.reached_rest;
 }
 

@@ -101,6 +101,27 @@ TEST(Breakage, WhatIsSpentDoesNotDependOnTheSteps) {
   EXPECT_NEAR(spent(100), exact, 0.02 * exact);
 }
 
+TEST(Breakage, AJointThatGapesAtOneEndIsGivenUp) {
+  // One end opens far, the other stays together: the second point would never fail.
+  Model model = test::make_solid(test::make_grid({.columns = 1, .rows = 1}), {.kind = brittle});
+  const JointTable table = joint_table(model);
+  const Point edge{model.joints.ex[0], model.joints.ey[0]};
+  const Point across = (1.0 / JointPair::length) * clockwise(edge);
+  const Index end = model.mesh.joint[0].corner[1][0];
+  const auto open = [&](double share) {
+    model.motion.ux[at(end)] = share * JointPair::length * across.x;
+    model.motion.uy[at(end)] = share * JointPair::length * across.y;
+    // The other end follows, so that its point keeps the opening of zero.
+    const Index other = model.mesh.joint[0].corner[1][1];
+    model.motion.ux[at(other)] = -0.268 * model.motion.ux[at(end)];
+    model.motion.uy[at(other)] = -0.268 * model.motion.uy[at(end)];
+    test::joint_forces_of(model);
+    return break_failed_joints(model, table).broke.size();
+  };
+  EXPECT_EQ(open(0.05), 0u);
+  EXPECT_EQ(open(0.2), 1u);
+}
+
 TEST(Breakage, APointThatFailedEarlyCountsByHowItFailed) {
   // Point 0 failed in pure shear and then opened, point 1 fails in pure shear.
   JointPair pair(brittle, {{{0.0, JointPair::slip_at_failure(brittle)}, 10}});
