@@ -13,18 +13,24 @@
 namespace percolith::simulation {
 namespace {
 
-/// A grid whose left half is a rock of its own, with a fracture across both along y = 1/2.
-mesh::Mesh two_rocks() {
+/// A grid whose left half is a rock of its own, clay.
+mesh::GmshMesh half_clay() {
   mesh::GmshMesh file = test::make_grid({.columns = 8, .rows = 8});
-  const auto other = static_cast<std::int32_t>(file.regions.size());
+  const auto clay = static_cast<std::int32_t>(file.regions.size());
   file.regions.push_back("clay");
   for (std::size_t t = 0; t < file.triangles.size(); ++t) {
     double x = 0.0;
     for (const auto p : file.triangles[t]) {
       x += file.points[static_cast<std::size_t>(p)].x / 3.0;
     }
-    file.triangle_region[t] = x < 0.5 ? other : file.triangle_region[t];
+    file.triangle_region[t] = x < 0.5 ? clay : file.triangle_region[t];
   }
+  return file;
+}
+
+/// The same with a fracture across both rocks along y = 1/2.
+mesh::Mesh two_rocks() {
+  mesh::GmshMesh file = half_clay();
   auto& curve = file.curves["fault"];
   for (const auto& t : file.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -65,15 +71,7 @@ TEST(SolidIngredients, AFractureTakesItsFrictionFromEachRockBesideIt) {
 
 TEST(SolidIngredients, AFractureBetweenTwoRocksHasTheSmallerFriction) {
   // The fracture runs along x = 1/2, between both rocks; the angles are given either way round.
-  mesh::GmshMesh file = test::make_grid({.columns = 8, .rows = 8});
-  file.regions.push_back("clay");
-  for (std::size_t t = 0; t < file.triangles.size(); ++t) {
-    double x = 0.0;
-    for (const auto p : file.triangles[t]) {
-      x += file.points[static_cast<std::size_t>(p)].x / 3.0;
-    }
-    file.triangle_region[t] = x < 0.5 ? 1 : 0;
-  }
+  mesh::GmshMesh file = half_clay();
   for (std::int32_t j = 0; j < 8; ++j) {
     file.curves["fault"].push_back({9 * j + 4, 9 * (j + 1) + 4});
   }

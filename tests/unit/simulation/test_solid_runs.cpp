@@ -57,13 +57,19 @@ TEST(SolidRuns, InSituStressStaysAtRest) {
   }
 }
 
-TEST(SolidRuns, AStretchedBlockBreaksWithEventsThatAreAccountedFor) {
+/// A block that is held on its left and pulled to the right until it breaks.
+simulation::Setup stretched() {
   simulation::Setup setup = test::solid_setup();
   setup.boundary["left"] = test::on("left");
   setup.boundary["left"].fixed = true;
   setup.boundary["right"] = test::on("right");
   setup.boundary["right"].velocity_x = Schedule::constant(1.0);
   setup.time.end = 3e-3;
+  return setup;
+}
+
+TEST(SolidRuns, AStretchedBlockBreaksWithEventsThatAreAccountedFor) {
+  simulation::Setup setup = stretched();
   setup.time.safety = 0.2;
   test::SolidRecorder recorder;
   const Summary summary = test::run(setup, test::make_grid(grid), recorder);
@@ -102,12 +108,7 @@ TEST(SolidRuns, AStretchedBlockBreaksWithEventsThatAreAccountedFor) {
 }
 
 TEST(SolidRuns, PeaksOfReactionsAreThoseOfTheHistory) {
-  simulation::Setup setup = test::solid_setup();
-  setup.boundary["left"] = test::on("left");
-  setup.boundary["left"].fixed = true;
-  setup.boundary["right"] = test::on("right");
-  setup.boundary["right"].velocity_x = Schedule::constant(1.0);
-  setup.time.end = 3e-3;
+  simulation::Setup setup = stretched();
   test::SolidRecorder recorder;
   const Summary summary = test::run(setup, test::make_grid(grid), recorder);
   ASSERT_EQ(summary.peak_reactions.size(), 2u);
