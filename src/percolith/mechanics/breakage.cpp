@@ -117,10 +117,7 @@ void give_up_closed(Model& model, Changes& changes) {
   for (const ClosedJointEnd& end : changes.parted) {
     model.joints.state[at(end.joint)] = JointState::broken;
     model.energy.closed_friction += end.friction;
-    double* force = model.joints.force.data() + force_slot(end.joint);
-    for (Index component = 0; component < 4; ++component) {
-      force[component * block_width] = 0.0;
-    }
+    set_force(model.joints, end.joint, {});
   }
   std::erase_if(model.closed, [&](const ClosedJoint& c) {
     return model.joints.state[at(c.joint)] != JointState::closed;

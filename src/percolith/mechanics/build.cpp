@@ -227,11 +227,17 @@ void switch_off(Model& model, Index joint) {
     model.joints.past.slope[g][j] = 0.0;
     model.joints.past.friction[g][j] = 0.0;
   }
-  double* force = model.joints.force.data() + force_slot(joint);
-  for (Index component = 0; component < 4; ++component) {
-    force[component * block_width] = 0.0;
-  }
+  set_force(model.joints, joint, {});
   note_if_gone(model.joints, j / block_width);
+}
+
+void set_force(Joints& joints, Index joint, const std::array<Point, 2>& on_first) {
+  double* out = joints.force.data() + force_slot(joint);
+  for (const Point& f : on_first) {
+    out[0] = f.x;
+    out[block_width] = f.y;
+    out += 2 * block_width;
+  }
 }
 
 }  // namespace percolith::mechanics

@@ -3,6 +3,8 @@
 
 #include "percolith/mechanics/model.hpp"
 
+#include <array>
+
 namespace percolith::mechanics {
 
 /// Penalty p_f of the joints over E of the softer side where none is given.
@@ -35,6 +37,9 @@ void set_initial_stress(Model& model, const Stress& stress_at);
 /// Prepares a joint to be given up or to be closed: it carries nothing as a bonded joint from now
 /// on, and its memory is forgotten.
 void switch_off(Model& model, Index joint);
+
+/// Sets the force (N/m) of a joint on its side 0 at both ends; side 1 has the opposite one.
+void set_force(Joints& joints, Index joint, const std::array<Point, 2>& on_first);
 
 }  // namespace percolith::mechanics
 

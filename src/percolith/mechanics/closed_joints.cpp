@@ -2,6 +2,7 @@
 #include "percolith/mechanics/closed_joints.hpp"
 
 #include "percolith/material/friction.hpp"
+#include "percolith/mechanics/build.hpp"
 #include "percolith/mechanics/joint_points.hpp"
 
 #include <algorithm>
@@ -90,12 +91,7 @@ struct ClosedForces {
     closed.loss = 0.5 * length * spent;
     closed.ended = has_ended(*model, closed, k, length);
     closed.turn = turn_of(closed, *model, k, t, length);
-    const auto f = joint_forces(k.place, length, t);
-    double* out = model->joints.force.data() + force_slot(closed.joint);
-    out[0] = f[0].x;
-    out[block_width] = f[0].y;
-    out[2 * block_width] = f[1].x;
-    out[3 * block_width] = f[1].y;
+    set_force(model->joints, closed.joint, joint_forces(k.place, length, t));
   }
 };
 

@@ -166,7 +166,7 @@ void Dynamics::take_out(std::span<const Index> triangles, double duration) {
   }
   const ContactRelease contact = contact_.release(model_.mesh, motion_of(model_), removed);
   model_.energy.taken_out += contact.energy;
-  FadingSupport support = remove_triangles(model_, table_, triangles, duration);
+  FadingSupport support = remove_triangles(model_, table_, triangles, removed, duration);
   support.force.insert(support.force.end(), contact.force.begin(), contact.force.end());
   loads_.add_fading(model_.mesh, std::move(support));
   start_contact();

@@ -5,6 +5,8 @@
 #include "percolith/mechanics/joint_points.hpp"
 #include "percolith/mechanics/strain.hpp"
 
+#include <vector>
+
 namespace percolith::mechanics {
 
 double elastic_energy_of(const Model& model, Index t, double back) {
@@ -55,17 +57,18 @@ EnergyBalance energy_balance(const Model& model, const JointTable& table, const 
   b.damping = e.damping.total() + e.viscous.total();
   b.gravity = e.gravity_work.total();
   b.external = e.load_work.total() + e.absorbed.total() + e.support_work.total();
+  std::vector<material::JointLoss<double>> lost(at(model.mesh.joints()));
+  for (Index j = 0; j < model.mesh.joints(); ++j) {
+    lost[at(j)] = bond_loss_since(model, table, j, half);
+  }
   const auto over_joints = [&](const auto& value) {
     return execution.sum(model.mesh.joints(), value);
   };
-  b.fracture = over_joints([&](Index j) {
-    return model.joints.past.spent[at(j)] + bond_loss_since(model, table, j, half).bond;
-  });
+  b.fracture =
+      over_joints([&](Index j) { return model.joints.past.spent[at(j)] + lost[at(j)].bond; });
   b.friction =
       contact.friction + e.closed_friction.total() + closed_friction_since(model, half) +
-      over_joints([&](Index j) {
-        return model.joints.past.rubbed[at(j)] + bond_loss_since(model, table, j, half).friction;
-      });
+      over_joints([&](Index j) { return model.joints.past.rubbed[at(j)] + lost[at(j)].friction; });
   b.contact = contact.stored;
   b.residual =
       b.gravity + b.external -

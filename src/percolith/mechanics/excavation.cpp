@@ -75,12 +75,7 @@ void renew_joint_forces(Model& model, const JointTable& table,
         std::lower_bound(model.closed.begin(), model.closed.end(), j,
                          [](const ClosedJoint& c, Index wanted) { return c.joint < wanted; });
     const auto traction = closed ? closed_tractions(model, *entry) : points.traction;
-    const auto f = joint_forces(points.place, model.mesh.joint_length(j), traction);
-    double* out = model.joints.force.data() + force_slot(j);
-    out[0] = f[0].x;
-    out[block_width] = f[0].y;
-    out[2 * block_width] = f[1].x;
-    out[3 * block_width] = f[1].y;
+    set_force(model.joints, j, joint_forces(points.place, model.mesh.joint_length(j), traction));
   }
 }
 
@@ -128,13 +123,10 @@ void stop_triangle(Model& model, Index t) {
 }  // namespace
 
 FadingSupport remove_triangles(Model& model, const JointTable& table,
-                               std::span<const Index> triangles, double duration) {
+                               std::span<const Index> triangles,
+                               std::span<const std::uint8_t> removed, double duration) {
   const Execution serial(Backend::serial);
   const double stored_before = stored_in_joints(model, table, serial);
-  std::vector<std::uint8_t> removed(at(model.mesh.triangles()), 0);
-  for (const Index t : triangles) {
-    removed[at(t)] = 1;
-  }
   renew_joint_forces(model, table, removed);
   FadingSupport support{model.motion.time, duration, {}};
   support_by_nodes(model, removed, triangles, support.force);
