@@ -5,6 +5,8 @@
 #include "percolith/case/path.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace percolith::case_file {
 
@@ -96,6 +98,11 @@ std::vector<Applicability> everything() {
 
 const std::vector<Applicability> all = everything();
 
+constexpr std::array<std::pair<simulation::Physics, std::string_view>, 3> physics_names{
+    {{simulation::Physics::seepage, "seepage"},
+     {simulation::Physics::mechanics, "mechanics"},
+     {simulation::Physics::coupled, "coupled"}}};
+
 }  // namespace
 
 std::span<const Applicability> applicabilities() {
@@ -110,20 +117,26 @@ std::string with_name(std::string pattern, const std::string& name) {
   return pattern;
 }
 
-std::string_view physics_of(std::string_view pattern) {
-  const auto rule = std::find_if(all.begin(), all.end(), [&](const Applicability& candidate) {
-    return candidate.option == pattern && candidate.needs.front() == "model.physics";
-  });
-  if (rule == all.end()) {
-    return {};
+std::vector<std::string_view> physics_of(std::string_view pattern) {
+  std::vector<std::string_view> names;
+  for (const auto& [physics, name] : physics_names) {
+    Setup setup;
+    setup.model.physics = physics;
+    const bool has = std::none_of(all.begin(), all.end(), [&](const Applicability& rule) {
+      return rule.option == pattern && rule.needs.front() == "model.physics" &&
+             !rule.holds(setup, {});
+    });
+    if (has) {
+      names.push_back(name);
+    }
   }
-  return rule->condition == needs_mechanics ? "mechanics" : "seepage";
+  return names;
 }
 
 bool has_option(std::string_view physics, std::string_view pattern) {
   const auto is_foreign = [&](const std::string& part) {
-    const std::string_view of = physics_of(part);
-    return !of.empty() && !physics.empty() && of != physics;
+    const auto names = physics_of(part);
+    return !physics.empty() && std::find(names.begin(), names.end(), physics) == names.end();
   };
   // What a table needs its options need too, and tables with names are listed by their star.
   for (std::size_t end = 0; end != std::string_view::npos;) {

@@ -23,9 +23,9 @@ struct Applicability {
 /// first.
 [[nodiscard]] std::span<const Applicability> applicabilities();
 
-/// The physics, "seepage" or "mechanics", without which the option or table at the path `pattern`
-/// has no effect; "" where it belongs to both.
-[[nodiscard]] std::string_view physics_of(std::string_view pattern);
+/// The physics in which the option or table at the path `pattern` has an effect; all of them where
+/// it always has one.
+[[nodiscard]] std::vector<std::string_view> physics_of(std::string_view pattern);
 
 /// Whether a case of the physics has the option or table at the path `pattern`; true for every one
 /// where `physics` is "".

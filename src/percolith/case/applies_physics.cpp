@@ -10,7 +10,7 @@ namespace {
 using simulation::Physics;
 using simulation::Setup;
 
-constexpr std::array<std::string_view, 24> of_seepage{{
+constexpr std::array<std::string_view, 21> of_flow{{
     "model.head_datum",
     "model.pore_joints",
     "model.joint_factor",
@@ -31,13 +31,10 @@ constexpr std::array<std::string_view, 24> of_seepage{{
     "boundary.*.on",
     "source.*",
     "initial",
-    "time.initial_step",
-    "time.maximum_step",
-    "time.tolerance",
     "probe.*.in",
 }};
 
-constexpr std::array<std::string_view, 45> of_mechanics{{
+constexpr std::array<std::string_view, 45> of_motion{{
     "model.plane",
     "material.*.density",
     "material.*.young_modulus",
@@ -85,12 +82,35 @@ constexpr std::array<std::string_view, 45> of_mechanics{{
     "time.mass_scaling_step",
 }};
 
-bool is_seepage(const Setup& setup, const std::string& /*name*/) {
-  return setup.model.physics == Physics::seepage;
+constexpr std::array<std::string_view, 3> of_flow_alone{{
+    "time.initial_step",
+    "time.maximum_step",
+    "time.tolerance",
+}};
+
+constexpr std::array<std::string_view, 6> of_coupling{{
+    "model.joint_stress",
+    "model.fluid_enters",
+    "model.crack_storage",
+    "material.*.biot_coefficient",
+    "new_cracks",
+    "boundary.*.pressurised",
+}};
+
+bool has_flow(const Setup& setup, const std::string& /*name*/) {
+  return simulation::has_flow(setup.model.physics);
 }
 
-bool is_mechanics(const Setup& setup, const std::string& /*name*/) {
-  return setup.model.physics == Physics::mechanics;
+bool has_motion(const Setup& setup, const std::string& /*name*/) {
+  return simulation::has_motion(setup.model.physics);
+}
+
+bool is_coupled(const Setup& setup, const std::string& /*name*/) {
+  return setup.model.physics == Physics::coupled;
+}
+
+bool is_flow_alone(const Setup& setup, const std::string& /*name*/) {
+  return setup.model.physics == Physics::seepage;
 }
 
 bool is_breakable(const Setup& setup, const std::string& name) {
@@ -161,15 +181,15 @@ void add_fractures(std::vector<Applicability>& rules) {
 
 std::vector<Applicability> needs_of_physics() {
   std::vector<Applicability> rules;
-  rules.reserve(of_seepage.size() + of_mechanics.size());
-  for (const std::string_view option : of_seepage) {
-    rules.push_back(
-        {std::string(option), {"model.physics"}, is_seepage, std::string(needs_seepage)});
-  }
-  for (const std::string_view option : of_mechanics) {
-    rules.push_back(
-        {std::string(option), {"model.physics"}, is_mechanics, std::string(needs_mechanics)});
-  }
+  const auto add = [&](const auto& options, const auto& holds, std::string_view condition) {
+    for (const std::string_view option : options) {
+      rules.push_back({std::string(option), {"model.physics"}, holds, std::string(condition)});
+    }
+  };
+  add(of_flow, has_flow, needs_flow);
+  add(of_flow_alone, is_flow_alone, needs_flow_alone);
+  add(of_motion, has_motion, needs_motion);
+  add(of_coupling, is_coupled, needs_coupling);
   return rules;
 }
 

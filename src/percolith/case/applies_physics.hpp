@@ -8,10 +8,12 @@
 
 namespace percolith::case_file {
 
-inline constexpr std::string_view needs_seepage = "model.physics = \"seepage\"";
-inline constexpr std::string_view needs_mechanics = "model.physics = \"mechanics\"";
+inline constexpr std::string_view needs_flow = "model.physics = \"seepage\" or \"coupled\"";
+inline constexpr std::string_view needs_motion = "model.physics = \"mechanics\" or \"coupled\"";
+inline constexpr std::string_view needs_coupling = "model.physics = \"coupled\"";
+inline constexpr std::string_view needs_flow_alone = "model.physics = \"seepage\"";
 
-/// Options and tables that only seepage or only mechanics has.
+/// Options and tables that not every physics has.
 [[nodiscard]] std::vector<Applicability> needs_of_physics();
 
 /// Options of mechanics that need others of mechanics.

@@ -51,7 +51,7 @@ std::string_view physics_of_case(const Node& root) {
   if (node == nullptr) {
     return "seepage";
   }
-  for (const std::string_view physics : {"seepage", "mechanics"}) {
+  for (const std::string_view physics : {"seepage", "mechanics", "coupled"}) {
     if (node->text() != nullptr && *node->text() == physics) {
       return physics;
     }
@@ -59,10 +59,9 @@ std::string_view physics_of_case(const Node& root) {
   return {};
 }
 
-/// Mechanics knows one scheme, which a case need not name.
+/// Motion knows one scheme, which a case need not name.
 void choose_scheme(Case& known) {
-  if (known.setup.model.physics == simulation::Physics::mechanics &&
-      !known.locations.given("time.scheme")) {
+  if (simulation::has_motion(known.setup.model.physics) && !known.locations.given("time.scheme")) {
     known.setup.time.scheme = simulation::Scheme::explicit_;
   }
 }

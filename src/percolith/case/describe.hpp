@@ -24,10 +24,12 @@ void describe(V& option, simulation::Setup& m) {
          NamedTables{"material", "A rock and the regions made of it. Every region needs "
                                  "one."});
   option(m.fracture, NamedTables{"fracture", "A kind of fracture and the curves it lies on."});
+  option(m.new_cracks, Table{"new_cracks", "Flow in cracks that open during the run."});
   option(m.boundary,
-         NamedTables{"boundary", "A condition on a part of the boundary: in seepage exactly one of "
-                                 "pressure, head, flux and seepage_face; in mechanics one or more "
-                                 "of its options."});
+         NamedTables{"boundary",
+                     "A condition on a part of the boundary: of the flow at most one of "
+                     "pressure, head, flux and seepage_face, in seepage exactly one; "
+                     "of mechanics any that do not contradict each other."});
   option(m.source, NamedTables{"source", "Fluid brought in at a point or along fractures: exactly "
                                          "one of rate and pressure."});
   option(m.body, NamedTables{"body", "A part of the model that moves in its own way: a rigid "

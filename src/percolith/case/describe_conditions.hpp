@@ -30,6 +30,9 @@ void list_mechanical(V& option, simulation::BoundaryCondition& m) {
   option(m.normal_pressure,
          Quantity{"normal_pressure", "Pa", finite, Need::optional,
                   "Pressure on the boundary as it moves and deforms, over time.", "0"});
+  option(m.pressurised, Flag{"pressurised", "Whether the fluid presses on the boundary with the "
+                                            "pressure of the flow there, as on the wall of a well. "
+                                            "Needs pressure."});
   option(m.in_situ, Flag{"in_situ", "Whether the boundary carries the traction of the in-situ "
                                     "stress. Needs the table [in_situ]."});
   option(m.absorbing, Flag{"absorbing", "Whether waves leave through the boundary."});

@@ -20,15 +20,43 @@ void describe(V& option, simulation::MeshOptions& m) {
                                   "the sizes of the geometry."});
 }
 
+/// The part of the model that only coupled physics has.
+template <class V>
+void list_coupling(V& option, simulation::Model& m) {
+  using simulation::CrackStorage;
+  using simulation::FluidEnters;
+  using simulation::JointStress;
+  option(m.joint_stress,
+         Choice<JointStress>{
+             "joint_stress",
+             {{JointStress::effective, "effective"}, {JointStress::total, "total"}},
+             "Stress that the strength of a joint is compared with: effective, to which the pore "
+             "pressure adds nothing, or total, as in the paper, which makes wet rock stronger."});
+  option(m.fluid_enters,
+         Choice<FluidEnters>{
+             "fluid_enters",
+             {{FluidEnters::broken, "broken"}, {FluidEnters::softening, "softening"}},
+             "When the fluid of cracks gets into a joint: once it has broken, or already when it "
+             "is past its peak, for cracks whose dry tip would falsify their pressure."});
+  option(m.crack_storage,
+         Choice<CrackStorage>{
+             "crack_storage",
+             {{CrackStorage::unclamped, "unclamped"}, {CrackStorage::clamped, "clamped"}},
+             "Whether maximum_aperture limits only what cracks conduct, or also, as in the paper, "
+             "what they hold; the latter does not conserve energy."});
+}
+
 template <class V>
 void describe(V& option, simulation::Model& m) {
   using simulation::Physics;
   using simulation::Plane;
   option(m.physics,
          Choice<Physics>{"physics",
-                         {{Physics::seepage, "seepage"}, {Physics::mechanics, "mechanics"}},
-                         "What is computed: seepage through a rock at rest, or the mechanics of a "
-                         "dry rock that deforms, breaks and moves."});
+                         {{Physics::seepage, "seepage"},
+                          {Physics::mechanics, "mechanics"},
+                          {Physics::coupled, "coupled"}},
+                         "What is computed: seepage through a rock at rest, the mechanics of a dry "
+                         "rock that deforms, breaks and moves, or both coupled."});
   option(m.plane, Choice<Plane>{"plane",
                                 {{Plane::strain, "strain"}, {Plane::stress, "stress"}},
                                 "Whether strain or stress across the plane of the model is "
@@ -54,6 +82,7 @@ void describe(V& option, simulation::Model& m) {
                                    {simulation::SaturationWeight::mean, "mean"}},
                                   "Saturation that weights the flow in partly saturated rock: that "
                                   "of the upstream corner, or the mean of the triangle."});
+  list_coupling(option, m);
 }
 
 template <class V>
@@ -76,13 +105,16 @@ void describe(V& option, simulation::Material& m) {
          Quantity{"permeability", "m2", finite, Need::optional,
                   "Intrinsic permeability: one value, or the tensor as [kxx, kyy, kxy] or "
                   "[[kxx, kxy], [kxy, kyy]]; positive definite.",
-                  "required in seepage"});
+                  "required with flow"});
   option(m.rock.porosity, Quantity{"porosity", "1", positive_fraction, Need::optional,
-                                   "Volume of pores over volume of rock.", "required in seepage"});
+                                   "Volume of pores over volume of rock.", "required with flow"});
   option(m.rock.biot_modulus,
          Quantity{"biot_modulus", "Pa", positive, Need::optional,
                   "Biot modulus: pressure per fluid content at constant volume.",
                   "bulk modulus of the fluid over porosity"});
+  option(m.biot_coefficient,
+         Quantity{"biot_coefficient", "1", positive_fraction, Need::optional,
+                  "Biot coefficient alpha: share of the pore pressure that the rock bears."});
   list_elasticity(option, m.solid);
   using simulation::RockJoints;
   option(m.joints, Choice<RockJoints>{
@@ -101,26 +133,36 @@ void describe(V& option, simulation::Material& m) {
                                "Number that chooses the strengths. Needs weibull_modulus."});
 }
 
+/// The flow in a fracture; `needed` says when aperture and exchange must be given.
+template <class V>
+void list_hydraulics(V& option, material::Fracture& m, std::string_view needed) {
+  option(m.initial_aperture, Quantity{"initial_aperture", "m", positive, Need::optional,
+                                      "Hydraulic aperture at zero opening.", needed});
+  option(m.minimum_aperture, Quantity{"minimum_aperture", "m", not_negative, Need::optional,
+                                      "Lower bound of the aperture."});
+  option(m.maximum_aperture, Quantity{"maximum_aperture", "m", positive_or_infinite, Need::optional,
+                                      "Upper bound of the aperture that conducts."});
+  option(m.transmissivity,
+         Quantity{"transmissivity", "m3", positive, Need::optional,
+                  "Intrinsic transmissivity: permeability along the fracture times aperture.",
+                  "cubic law, aperture^3/12"});
+  option(m.exchange,
+         Quantity{"exchange", "m/(Pa s)", not_negative_or_infinite, Need::optional,
+                  "Flux between the fracture and one of its faces per pressure difference; \"inf\" "
+                  "gives fracture and faces one pressure, 0 seals the faces.",
+                  needed});
+}
+
+template <class V>
+void describe(V& option, simulation::NewCracks& m) {
+  list_hydraulics(option, m.fracture, "required");
+}
+
 template <class V>
 void describe(V& option, simulation::FractureGroup& m) {
   option(m.groups, Text{"groups", Need::required,
                         "Physical curves of the mesh that are fractures of this kind."});
-  option(m.fracture.initial_aperture, Quantity{"initial_aperture", "m", positive, Need::optional,
-                                               "Hydraulic aperture.", "required in seepage"});
-  option(m.fracture.minimum_aperture, Quantity{"minimum_aperture", "m", not_negative,
-                                               Need::optional, "Lower bound of the aperture."});
-  option(m.fracture.maximum_aperture,
-         Quantity{"maximum_aperture", "m", positive_or_infinite, Need::optional,
-                  "Upper bound of the aperture that conducts."});
-  option(m.fracture.transmissivity,
-         Quantity{"transmissivity", "m3", positive, Need::optional,
-                  "Intrinsic transmissivity: permeability along the fracture times aperture.",
-                  "cubic law, aperture^3/12"});
-  option(m.fracture.exchange,
-         Quantity{"exchange", "m/(Pa s)", not_negative_or_infinite, Need::optional,
-                  "Flux between the fracture and one of its faces per pressure difference; \"inf\" "
-                  "gives fracture and faces one pressure, 0 seals the faces.",
-                  "required in seepage"});
+  list_hydraulics(option, m.fracture, "required with flow");
   using simulation::Bond;
   option(m.bond, Choice<Bond>{"bond",
                               {{Bond::broken, "broken"}, {Bond::cohesive, "cohesive"}},

@@ -20,7 +20,7 @@ struct Context {
   std::filesystem::path directory;  ///< files named in the case are relative to it
   Problems& problems;
   KeyLocations& locations;
-  /// Physics of the case as it is written, "seepage" or "mechanics"; "" where it is neither.
+  /// Physics of the case as it is written, such as "seepage"; "" where there is none such.
   std::string_view physics = {};
 };
 

@@ -78,7 +78,8 @@ void Reader::operator()(Enumeration& member, const Choice<Enumeration>& option) 
   if (node == nullptr) {
     return;
   }
-  const bool one_only = context_.physics == "mechanics" && !option.in_mechanics.empty();
+  const bool one_only =
+      context_.physics != "seepage" && !context_.physics.empty() && !option.in_mechanics.empty();
   std::vector<std::string_view> names;
   for (const auto& choice : option.names) {
     if (node->text() != nullptr && *node->text() == choice.name) {

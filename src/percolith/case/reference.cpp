@@ -114,15 +114,16 @@ private:
         fmt::format("\n## `[{}]`\n\n{}{}\n{}{}", path, help, physics_note(path), table_head, rows);
   }
 
-  /// The physics that an option or a table belongs to, where it does not belong to all.
+  /// The physics that an option or a table belongs to, where it does not belong to all. The two
+  /// halves of coupled physics are told by their names alone.
   static std::string physics_note(const std::string& path) {
     const std::size_t name = path.find("NAME");
     const std::string pattern =
         name == std::string::npos
             ? path
             : fmt::format("{}*{}", path.substr(0, name), path.substr(name + 4));
-    const std::string_view physics = physics_of(pattern);
-    return physics.empty() ? "" : fmt::format(" *In {} only.*", physics);
+    const std::vector<std::string_view> physics = physics_of(pattern);
+    return physics.size() == 3 ? "" : fmt::format(" *In {} only.*", fmt::join(physics, " and "));
   }
 
   static std::string initial(Need need, std::string_view text) {

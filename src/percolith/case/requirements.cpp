@@ -10,16 +10,16 @@ namespace {
 using simulation::Physics;
 using simulation::Setup;
 
-bool in_seepage(const Setup& setup, const std::string& /*name*/) {
-  return setup.model.physics == Physics::seepage;
+bool has_flow(const Setup& setup, const std::string& /*name*/) {
+  return simulation::has_flow(setup.model.physics);
 }
 
-bool in_mechanics(const Setup& setup, const std::string& /*name*/) {
-  return setup.model.physics == Physics::mechanics;
+bool has_motion(const Setup& setup, const std::string& /*name*/) {
+  return simulation::has_motion(setup.model.physics);
 }
 
 bool may_break(const Setup& setup, const std::string& name) {
-  return in_mechanics(setup, name) &&
+  return has_motion(setup, name) &&
          setup.material.at(name).joints == simulation::RockJoints::breakable;
 }
 
@@ -34,11 +34,15 @@ bool is_in_body(const Setup& setup, const std::string& name) {
 }
 
 bool rubs(const Setup& setup, const std::string& name) {
-  return may_break(setup, name) || (in_mechanics(setup, name) && is_in_body(setup, name));
+  return may_break(setup, name) || (has_motion(setup, name) && is_in_body(setup, name));
 }
 
 bool is_bonded(const Setup& setup, const std::string& name) {
-  return in_mechanics(setup, name) && setup.fracture.at(name).bond == simulation::Bond::cohesive;
+  return has_motion(setup, name) && setup.fracture.at(name).bond == simulation::Bond::cohesive;
+}
+
+bool has_new_cracks(const Setup& setup, const std::string& /*name*/) {
+  return setup.new_cracks.has_value();
 }
 
 std::vector<Requirement> everything() {
@@ -46,13 +50,15 @@ std::vector<Requirement> everything() {
   const std::vector<std::string> joints{"model.physics", "material.*.joints"};
   const std::vector<std::string> bond{"model.physics", "fracture.*.bond"};
   std::vector<Requirement> rules{
-      {"material.*.permeability", physics, in_seepage},
-      {"material.*.porosity", physics, in_seepage},
-      {"fracture.*.initial_aperture", physics, in_seepage},
-      {"fracture.*.exchange", physics, in_seepage},
-      {"material.*.density", physics, in_mechanics},
-      {"material.*.young_modulus", physics, in_mechanics},
-      {"material.*.poisson_ratio", physics, in_mechanics},
+      {"material.*.permeability", physics, has_flow},
+      {"material.*.porosity", physics, has_flow},
+      {"fracture.*.initial_aperture", physics, has_flow},
+      {"fracture.*.exchange", physics, has_flow},
+      {"new_cracks.initial_aperture", {"new_cracks"}, has_new_cracks},
+      {"new_cracks.exchange", {"new_cracks"}, has_new_cracks},
+      {"material.*.density", physics, has_motion},
+      {"material.*.young_modulus", physics, has_motion},
+      {"material.*.poisson_ratio", physics, has_motion},
       {"material.*.friction_angle", joints, rubs},
       {"fracture.*.friction_angle", bond, is_bonded},
   };

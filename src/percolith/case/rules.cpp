@@ -40,12 +40,16 @@ void check_rules(const simulation::Setup& setup, Context& context) {
   check_applicability(rules);
   check_requirements(rules);
   check_model(rules);
-  if (rules.is_mechanics()) {
+  if (rules.has_motion()) {
     check_mechanics(rules);
     check_supports(rules);
-  } else {
+  }
+  if (rules.has_flow()) {
     check_conditions(rules);
     check_saturation(rules);
+  }
+  if (rules.is_coupled()) {
+    check_coupling(rules);
   }
   check_run(rules);
 }

@@ -17,9 +17,9 @@ public:
   Rules(const simulation::Setup& setup, Context& context) : setup_(setup), context_(context) {}
 
   [[nodiscard]] const simulation::Setup& setup() const { return setup_; }
-  [[nodiscard]] bool is_mechanics() const {
-    return setup_.model.physics == simulation::Physics::mechanics;
-  }
+  [[nodiscard]] bool has_flow() const { return simulation::has_flow(setup_.model.physics); }
+  [[nodiscard]] bool has_motion() const { return simulation::has_motion(setup_.model.physics); }
+  [[nodiscard]] bool is_coupled() const { return has_flow() && has_motion(); }
   /// True where the user wrote this option, rightly or wrongly.
   [[nodiscard]] bool given(const std::string& key) const { return context_.locations.given(key); }
   /// Those of the options `names` of the table `path` that the user wrote, as dotted keys.
@@ -55,7 +55,7 @@ void report_contradiction(Rules& rules, const std::string& key, const std::strin
 /// has a problem of its own.
 void check_rules(const simulation::Setup& setup, Context& context);
 
-/// The scheme of mechanics.
+/// The scheme of motion.
 void check_physics(Rules& rules);
 /// Options that have no effect because of others.
 void check_applicability(Rules& rules);
@@ -71,6 +71,8 @@ void check_mechanics(Rules& rules);
 void check_supports(Rules& rules);
 /// Pressures of conditions below the cavitation pressure, and saturations that contradict them.
 void check_saturation(Rules& rules);
+/// What only coupled physics has.
+void check_coupling(Rules& rules);
 /// Time stepping, output and probes.
 void check_run(Rules& rules);
 

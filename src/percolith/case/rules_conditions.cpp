@@ -57,9 +57,10 @@ void check_fracture_names(Rules& rules, const std::string& key,
 void check_boundary(Rules& rules) {
   for (const auto& [name, condition] : rules.setup().boundary) {
     const std::string path = "boundary." + name;
-    check_one_of(rules, path, {"pressure", "head", "flux", "seepage_face"}, Need::required);
+    check_one_of(rules, path, {"pressure", "head", "flux", "seepage_face"},
+                 rules.has_motion() ? Need::optional : Need::required);
     check_head(rules, path + ".head");
-    if (condition.on == Domain::crack) {
+    if (condition.on == Domain::crack && !rules.setup().new_cracks) {
       check_fractures_exist(rules, path + ".on");
     }
   }

@@ -36,7 +36,7 @@ void check_materials(Rules& rules) {
   for (const auto& [name, material] : rules.setup().material) {
     const std::string path = "material." + name;
     regions.add(path + ".regions", material.regions);
-    if (!rules.is_mechanics()) {
+    if (rules.has_flow()) {
       check_permeability(rules, path + ".permeability", material.rock.permeability);
     }
   }
@@ -52,7 +52,8 @@ void check_hydraulics(Rules& rules, const std::string& path, const material::Fra
   if (is_explicit && fracture.exchange == infinite) {
     rules.fail(path + ".exchange", {"time.scheme"},
                "the explicit scheme cannot give fracture and rock one pressure",
-               "a finite exchange, or time.scheme = \"implicit\"");
+               rules.has_motion() ? "a finite exchange"
+                                  : "a finite exchange, or time.scheme = \"implicit\"");
   }
 }
 
@@ -61,9 +62,12 @@ void check_fractures(Rules& rules) {
   for (const auto& [name, group] : rules.setup().fracture) {
     const std::string path = "fracture." + name;
     groups.add(path + ".groups", group.groups);
-    if (!rules.is_mechanics()) {
+    if (rules.has_flow()) {
       check_hydraulics(rules, path, group.fracture);
     }
+  }
+  if (rules.setup().new_cracks) {
+    check_hydraulics(rules, "new_cracks", rules.setup().new_cracks->fracture);
   }
 }
 

@@ -17,7 +17,7 @@ void check_time(Rules& rules) {
   if (time.scheme != Scheme::steady && !rules.given("time.end")) {
     rules.fail("time.end", {"time.scheme"}, "required but missing: the time at which the run ends",
                to_text(positive, "s") +
-                   (rules.is_mechanics() ? "" : ", or time.scheme = \"steady\""));
+                   (rules.has_motion() ? "" : ", or time.scheme = \"steady\""));
   }
   if (time.initial_step && time.maximum_step && *time.initial_step > *time.maximum_step) {
     rules.fail("time.initial_step", {"time.maximum_step"}, "greater than maximum_step",
@@ -88,8 +88,8 @@ void check_probe(Rules& rules, const std::string& path, const simulation::Probe&
 }  // namespace
 
 void check_physics(Rules& rules) {
-  if (rules.is_mechanics() && rules.setup().time.scheme != Scheme::explicit_) {
-    rules.fail("time.scheme", {"model.physics"}, "mechanics is advanced explicitly",
+  if (rules.has_motion() && rules.setup().time.scheme != Scheme::explicit_) {
+    rules.fail("time.scheme", {"model.physics"}, "the motion of rock is advanced explicitly",
                "\"explicit\", or none");
   }
 }

@@ -15,7 +15,7 @@ struct Support {
   bool (*acts)(const BoundaryCondition&);
 };
 
-constexpr std::array<Support, 11> supports{{
+constexpr std::array<Support, 12> supports{{
     {"fixed", [](const BoundaryCondition& c) { return c.fixed; }},
     {"roller", [](const BoundaryCondition& c) { return c.roller; }},
     {"displacement_x", [](const BoundaryCondition& c) { return c.displacement_x.has_value(); }},
@@ -25,6 +25,7 @@ constexpr std::array<Support, 11> supports{{
     {"traction_x", [](const BoundaryCondition& c) { return c.traction_x.has_value(); }},
     {"traction_y", [](const BoundaryCondition& c) { return c.traction_y.has_value(); }},
     {"normal_pressure", [](const BoundaryCondition& c) { return c.normal_pressure.has_value(); }},
+    {"pressurised", [](const BoundaryCondition& c) { return c.pressurised; }},
     {"in_situ", [](const BoundaryCondition& c) { return c.in_situ; }},
     {"absorbing", [](const BoundaryCondition& c) { return c.absorbing; }},
 }};
@@ -41,15 +42,15 @@ std::vector<Conflict> conflicts() {
   return {
       {"fixed",
        {"roller", "displacement_x", "displacement_y", "velocity_x", "velocity_y", "traction_x",
-        "traction_y", "normal_pressure", "in_situ", "absorbing"}},
+        "traction_y", "normal_pressure", "pressurised", "in_situ", "absorbing"}},
       {"roller",
        {"displacement_x", "displacement_y", "velocity_x", "velocity_y", "normal_pressure",
-        "absorbing"}},
+        "pressurised", "absorbing"}},
       {"displacement_x", {"velocity_x", "traction_x", "absorbing"}},
       {"displacement_y", {"velocity_y", "traction_y", "absorbing"}},
       {"velocity_x", {"traction_x", "absorbing"}},
       {"velocity_y", {"traction_y", "absorbing"}},
-      {"normal_pressure", {"traction_x", "traction_y", "in_situ"}},
+      {"normal_pressure", {"traction_x", "traction_y", "pressurised", "in_situ"}},
   };
 }
 
@@ -74,11 +75,17 @@ void check_any(Rules& rules, const std::string& path, const BoundaryCondition& c
   std::vector<std::string_view> names;
   bool any = false;
   for (const Support& support : supports) {
-    names.push_back(support.name);
+    if (rules.has_flow() || support.name != "pressurised") {
+      names.push_back(support.name);
+    }
     any = any || support.acts(condition);
   }
-  if (!any) {
-    rules.fail(path, {"model.physics"}, "a support or a load is missing",
+  const bool flows = rules.has_flow() && (condition.pressure || condition.head || condition.flux ||
+                                          condition.seepage_face);
+  if (!any && !flows) {
+    rules.fail(path, {"model.physics"},
+               rules.has_flow() ? "a support, a load or a condition of the flow is missing"
+                                : "a support or a load is missing",
                "one or more of " + listed(names));
   }
 }

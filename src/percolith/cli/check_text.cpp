@@ -102,9 +102,8 @@ std::string limit_text(const simulation::CheckReport& report,
 
 std::string check_text(const simulation::CheckReport& report,
                        const simulation::Stepping& stepping) {
-  return mesh_text(report) +
-         (report.mechanics.empty() ? node_text(report) : mechanics_text(report)) +
-         limit_text(report, stepping);
+  return mesh_text(report) + (report.pore_nodes > 0 ? node_text(report) : "") +
+         (report.mechanics.empty() ? "" : mechanics_text(report)) + limit_text(report, stepping);
 }
 
 }  // namespace percolith::cli

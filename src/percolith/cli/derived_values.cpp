@@ -12,7 +12,7 @@ std::vector<case_file::DerivedValue> derived_values(const simulation::CheckRepor
   std::vector<case_file::DerivedValue> derived = {
       {"version of percolith", version, ""},
       {"triangles", fmt::format("{}", report.triangles), ""}};
-  if (report.mechanics.empty()) {
+  if (report.pore_nodes > 0) {
     derived.push_back({"pore nodes", fmt::format("{}", report.pore_nodes), ""});
     derived.push_back({"crack nodes", fmt::format("{}", report.crack_nodes), ""});
   }

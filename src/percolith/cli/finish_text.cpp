@@ -29,11 +29,14 @@ std::optional<Number> result_of(const simulation::Summary& summary, std::string_
 }
 
 std::string balance_text(const simulation::Summary& summary) {
-  if (summary.mechanics.empty()) {
-    return fmt::format(", mass balance error {:.1e}", summary.last.balance.relative_error);
+  std::string text;
+  if (summary.last.has_flow) {
+    text += fmt::format(", mass balance error {:.1e}", summary.last.balance.relative_error);
   }
-  const auto error = result_of<double>(summary, "energy_error");
-  return error ? fmt::format(", energy balance error {:.1e}", *error) : "";
+  if (const auto error = result_of<double>(summary, "energy_error")) {
+    text += fmt::format(", energy balance error {:.1e}", *error);
+  }
+  return text;
 }
 
 std::string peak_text(const char* axis, double reaction, double time) {

@@ -41,7 +41,7 @@ std::string history_header(const simulation::HistoryRow& row) {
   for (const char* column : {names::time, "step", "step_size_s"}) {
     line.add(std::string_view(column));
   }
-  if (row.mechanics.empty()) {
+  if (row.has_flow) {
     add_flow_names(line, row);
   }
   for (const auto& [name, value] : row.mechanics) {
@@ -53,7 +53,7 @@ std::string history_header(const simulation::HistoryRow& row) {
 std::string history_line(const simulation::HistoryRow& row, bool has_cracks) {
   CsvLine line;
   line.add(row.time).add(row.step).add(row.step_size);
-  if (row.mechanics.empty()) {
+  if (row.has_flow) {
     add_flow(line, row, has_cracks);
   }
   for (const auto& [name, value] : row.mechanics) {

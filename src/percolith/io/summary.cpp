@@ -87,9 +87,10 @@ std::string summary_json(const RunRecord& record, const simulation::Summary& sum
   json["end_time_s"] = summary.end_time;
   json["steps"] = summary.steps;
   json["wall_time_s"] = wall_time;
-  if (summary.mechanics.empty()) {
+  if (summary.last.has_flow) {
     add_flow(json, summary, !record.fractures.empty());
-  } else {
+  }
+  if (!summary.mechanics.empty()) {
     json["reached_rest"] = summary.reached_rest;
     json["mechanics"] = mechanics(summary);
   }

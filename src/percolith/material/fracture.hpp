@@ -17,6 +17,8 @@ struct Fracture {
   /// h_c, m/(Pa s): flux from crack to one face per pressure difference; infinite: crack and faces
   /// share one pressure.
   double exchange = std::numeric_limits<double>::infinity();
+  /// Whether the volume of a fracture is limited by the maximum aperture too, as in the paper.
+  bool clamped_storage = false;
   friend bool operator==(const Fracture&, const Fracture&) = default;
 };
 

@@ -215,6 +215,20 @@ Model make_model(mesh::Mesh mesh, Ingredients from) {
   return model;
 }
 
+void start_closed_joints(Model& model) {
+  const Joints& joints = model.joints;
+  for (ClosedJoint& closed : model.closed) {
+    for (std::size_t g = 0; g < 2; ++g) {
+      const auto j = at(closed.joint);
+      const double limit =
+          closed.friction * closed.stiffness * std::max(0.0, -joints.opening_start[g][j]);
+      closed.slip_at_start[g] = joints.slip_start[g][j];
+      closed.slip[g] = joints.slip_start[g][j];
+      closed.shear[g] = std::clamp(closed.stiffness * joints.slip_start[g][j], -limit, limit);
+    }
+  }
+}
+
 void switch_off(Model& model, Index joint) {
   const auto j = at(joint);
   model.joints.stiffness[j] = 0.0;

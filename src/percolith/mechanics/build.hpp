@@ -34,6 +34,10 @@ struct Ingredients {
 template <class Stress>
 void set_initial_stress(Model& model, const Stress& stress_at);
 
+/// Lets closed joints start from the in-situ tractions of their faces, as far as friction bears
+/// them.
+void start_closed_joints(Model& model);
+
 /// Prepares a joint to be given up or to be closed: it carries nothing as a bonded joint from now
 /// on, and its memory is forgotten.
 void switch_off(Model& model, Index joint);

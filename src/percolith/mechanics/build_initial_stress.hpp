@@ -41,16 +41,7 @@ void set_initial_stress(Model& model, const Stress& stress_at) {
       joints.slip_start[g][at(j)] = dot(traction, along) / stiffness;
     }
   }
-  for (ClosedJoint& closed : model.closed) {
-    for (std::size_t g = 0; g < 2; ++g) {
-      const auto j = at(closed.joint);
-      const double limit =
-          closed.friction * closed.stiffness * std::max(0.0, -joints.opening_start[g][j]);
-      closed.slip_at_start[g] = joints.slip_start[g][j];
-      closed.slip[g] = joints.slip_start[g][j];
-      closed.shear[g] = std::clamp(closed.stiffness * joints.slip_start[g][j], -limit, limit);
-    }
-  }
+  start_closed_joints(model);
 }
 
 }  // namespace percolith::mechanics

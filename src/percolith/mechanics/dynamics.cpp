@@ -2,6 +2,8 @@
 #include "percolith/mechanics/dynamics.hpp"
 
 #include "percolith/mechanics/excavation.hpp"
+#include "percolith/mechanics/pressed_faces.hpp"
+#include "percolith/mechanics/wet_joints.hpp"
 
 #include <cmath>
 #include <limits>
@@ -70,8 +72,9 @@ Dynamics::Dynamics(Model model, LoadList loads, SupportSet supports, ContactProp
 }
 
 Changes Dynamics::advance(double dt, Execution& execution) {
-  execution.for_each("joints", model_.mesh.joints(), JointForces(model_, table_));
+  set_joint_forces(execution);
   add_closed_joints(model_, execution);
+  press_faces(model_, execution);
   contact_.advance(model_.mesh, motion_of(model_), travelled_, model_.motion.last_step, execution);
   add_turns(model_, contact_);
   loads_.apply(model_);
@@ -87,6 +90,16 @@ Changes Dynamics::advance(double dt, Execution& execution) {
   }
   execution.book("breakage", start);
   return changes;
+}
+
+void Dynamics::set_joint_forces(Execution& execution) {
+  if (model_.pores.joint_share.empty()) {
+    execution.for_each("joints", model_.mesh.joints(), JointForces(model_, table_));
+    return;
+  }
+  const auto totals =
+      execution.sum_each<1>("joints", model_.mesh.joints(), WetJointForces(model_, table_));
+  model_.energy.fluid_work += totals.sum[0];
 }
 
 LaneTotals<terms> Dynamics::move(double dt, Execution& execution) {
@@ -115,6 +128,7 @@ void Dynamics::book(const LaneTotals<terms>& totals, double dt) {
   e.load_work += value(Term::load);
   e.gravity_work += value(Term::gravity);
   e.support_work += value(Term::support);
+  e.fluid_work += value(Term::fluid);
   e.damping += -value(Term::damping);
   e.unbalanced = value(Term::unbalanced);
   e.internal = value(Term::stressing);

@@ -40,6 +40,7 @@ public:
   void add_to(StateHash& hash) const;
 
 private:
+  void set_joint_forces(Execution& execution);
   LaneTotals<terms> move(double dt, Execution& execution);
   void book(const LaneTotals<terms>& totals, double dt);
   void start_contact();

@@ -3,7 +3,9 @@
 
 #include "percolith/mechanics/closed_joints.hpp"
 #include "percolith/mechanics/joint_points.hpp"
+#include "percolith/mechanics/pressed_faces.hpp"
 #include "percolith/mechanics/strain.hpp"
+#include "percolith/mechanics/wet_joints.hpp"
 
 #include <vector>
 
@@ -56,6 +58,8 @@ EnergyBalance energy_balance(const Model& model, const JointTable& table, const 
   b.absorbed = e.absorbed.total() + e.taken_out.total() + e.joints_taken_out.total();
   b.damping = e.damping.total() + e.viscous.total();
   b.gravity = e.gravity_work.total();
+  b.fluid = e.fluid_work.total() + work_in_joints_since(model, execution, half) +
+            work_on_faces_since(model, half);
   b.external = e.load_work.total() + e.absorbed.total() + e.support_work.total();
   std::vector<material::JointLoss<double>> lost(at(model.mesh.joints()));
   for (Index j = 0; j < model.mesh.joints(); ++j) {
@@ -71,7 +75,7 @@ EnergyBalance energy_balance(const Model& model, const JointTable& table, const 
       over_joints([&](Index j) { return model.joints.past.rubbed[at(j)] + lost[at(j)].friction; });
   b.contact = contact.stored;
   b.residual =
-      b.gravity + b.external -
+      b.gravity + b.external + b.fluid -
       ((b.kinetic - start.kinetic) + (b.elastic - start.elastic) + (b.joint - start.joint) +
        b.fracture + b.contact + b.friction + b.damping + b.absorbed);
   return b;

@@ -35,6 +35,7 @@ struct EnergyBalance {
   double damping = 0.0;                 ///< spent by damping, element viscosity included
   double absorbed = 0.0;  ///< left through absorbing boundaries or with rock taken out
   double gravity = 0.0, external = 0.0;  ///< work done on the rock
+  double fluid = 0.0;                    ///< work of fluid in pores and cracks on the rock
   double residual = 0.0;                 ///< what the terms do not account for
 };
 

@@ -12,6 +12,13 @@ using JointTable = std::vector<material::JointConstants<double>>;
 /// of zero gets a range of softening of next to nothing.
 [[nodiscard]] JointTable joint_table(const Model& model);
 
+/// What adds nothing to the traction of a joint.
+struct NothingInJoints {
+  template <class Lane>
+  PERCOLITH_DEVICE void add(Index, typename Lane::Real, const std::array<typename Lane::Real, 2>&,
+                            std::array<material::JointTraction<typename Lane::Real>, 2>&) const {}
+};
+
 /// Forces of the bonded joints. A block none of whose joints was ever past its peak is `whole` and
 /// has no memory to read; the first one past it makes the block `damaged`.
 struct JointForces {
@@ -22,8 +29,14 @@ struct JointForces {
 
   template <class Lane>
   PERCOLITH_DEVICE void operator()(Lane lane) const {
+    act<Lane>(lane.first, NothingInJoints{});
+  }
+
+  /// The same; `inside.add(joints, length, opening, traction)` adds to the traction of the bonds
+  /// what else acts between the faces, at the two integration points.
+  template <class Lane, class Inside>
+  PERCOLITH_DEVICE void act(Index j, const Inside& inside) const {
     using Real = typename Lane::Real;
-    const Index j = lane.first;
     std::uint8_t& block = condition_[j / block_width];
     if (block == static_cast<std::uint8_t>(BlockCondition::gone)) {
       return;
@@ -50,6 +63,7 @@ struct JointForces {
     if (block != static_cast<std::uint8_t>(BlockCondition::whole) || any(weak)) {
       soften<Lane>(j, c, length, opening, slip, t, block);
     }
+    inside.template add<Lane>(j, length, opening, t);
     const auto f = joint_forces(place, length, t);
     double* out = force_ + force_slot(j);
     Lane::store(out, f[0].x);

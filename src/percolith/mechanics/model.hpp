@@ -102,6 +102,30 @@ struct ClosedJoint {
   bool ended = false;                     ///< its faces have parted or slid too far
 };
 
+/// Fluid in the pores as the motion of the rock sees it; all empty where the rock is dry.
+struct PoreFluid {
+  std::span<const double> pressure;  ///< per corner, Pa: kept by whoever computes the flow
+  std::vector<double> biot;          ///< per triangle: Biot coefficient alpha, 1
+  std::vector<double> stiffness;     ///< per triangle: alpha^2 M of undrained rock, Pa
+  std::vector<double> growth;        ///< per triangle: alpha (A - A_0) at the present places, m2
+  /// Per joint: alpha where its bond carries the effective stress, so that the pressure of the
+  /// pores on both sides acts besides; else 0.
+  std::vector<double> joint_share;
+  std::array<std::vector<double>, 2> push;     ///< per joint [point]: that pressure, last step, Pa
+  std::array<std::vector<double>, 2> opening;  ///< per joint [point]: in the last step, m
+};
+
+/// Fluid between the faces of one joint that belongs to the crack network: half of the force of
+/// its pressure goes to each end, that of the crack node there (37).
+struct PressedFaces {
+  Index joint = 0;
+  std::array<double, 2> pressure{};       ///< Pa, at the ends
+  std::array<double, 2> opening{};        ///< m, at the ends, now
+  Point across{};                         ///< from side 0 to side 1, now
+  std::array<double, 2> last_pressure{};  ///< Pa, when the faces were last pressed
+  std::array<double, 2> last_opening{};   ///< m, then
+};
+
 /// Displacement and velocity.
 struct Motion {
   double time = 0.0;           ///< s
@@ -133,6 +157,7 @@ struct Energies {
   CompensatedSum load_work;  ///< of tractions, pressures and point forces
   CompensatedSum gravity_work;
   CompensatedSum support_work;      ///< of the supports
+  CompensatedSum fluid_work;        ///< of fluid in pores and cracks on the rock
   CompensatedSum damping;           ///< spent by nodal viscosity and local damping, positive
   CompensatedSum viscous;           ///< spent by element viscosity, positive
   CompensatedSum absorbed;          ///< let out through absorbing boundaries, positive
@@ -165,6 +190,8 @@ struct Model {
   bool any_tied = false;
   Constraints constraints;
   Loads loads;
+  PoreFluid pores{};
+  std::vector<PressedFaces> pressed{};  ///< ascending in joints
   Motion motion;
   Energies energy;
 };

@@ -11,6 +11,7 @@ enum class Term : std::size_t {
   viscous,     ///< works over the step, J/m: of the viscous part of the stress
   load,        ///< of loads
   gravity,     ///< of gravity
+  fluid,       ///< of the fluid in the pores of triangles
   damping,     ///< of nodal viscosity and local damping
   support,     ///< of supports
   unbalanced,  ///< sum of |F| of corners that are free to move, N/m
@@ -22,7 +23,7 @@ inline constexpr auto terms = static_cast<std::size_t>(Term::count);
 /// Forces on the corners of a triangle by their origin, N/m.
 template <class Real>
 struct ForcesByOrigin {
-  CornerVectors<Real> stress, viscous, joint, contact, load;
+  CornerVectors<Real> stress, viscous, joint, contact, load, fluid;
   Real gravity;  ///< along y, negative, the same at each corner
 };
 
@@ -90,6 +91,9 @@ struct Move {
     CornerVectors<Real> fast;
     for (std::size_t k = 0; k < 3; ++k) {
       Vec2<Real> total = (f.stress[k] + f.joint[k]) + (f.contact[k] + f.load[k]);
+      if (solid.is_wet()) {
+        total = total + f.fluid[k];
+      }
       total.y += f.gravity;
       fast[k] =
           move_corner(lane, first + static_cast<Index>(k) * block_width, total, v[k], w, sums);
@@ -97,6 +101,7 @@ struct Move {
     }
     store_corners<Lane>(fast, vx, vy, first);
     store_corners<Lane>(moved, ux, uy, first);
+    keep_growth<Lane>(t, moved);
     book(lane, f, v, fast, w, sums);
   }
 
@@ -107,7 +112,19 @@ struct Move {
     ForcesByOrigin<typename Lane::Real> f = outside_forces<Lane>(t, first);
     f.stress = solid.of_stress<Lane>(t, u, v, f.viscous);
     f.joint = solid.of_joints<Lane>(first);
+    if (solid.is_wet()) {
+      f.fluid = solid.of_pores<Lane>(t, u);
+    }
     return f;
+  }
+
+  /// Keeps by how much the pores have grown at the displacements `moved`.
+  template <class Lane>
+  PERCOLITH_DEVICE void keep_growth(Index t,
+                                    const CornerVectors<typename Lane::Real>& moved) const {
+    if (solid.is_wet()) {
+      Lane::store(growth + t, solid.pore_growth<Lane>(t, moved));
+    }
   }
 
   /// Contact, loads and gravity alone.
@@ -149,6 +166,9 @@ struct Move {
     }
     if (load_acts[lane.first / block_width] != 0) {
       add(Term::load, work(f.load));
+    }
+    if (solid.is_wet()) {
+      add(Term::fluid, work(f.fluid));
     }
     if (weight != nullptr) {
       add(Term::gravity, f.gravity * ((path[0].y + path[1].y) + path[2].y));
@@ -242,6 +262,7 @@ struct Move {
   double* uy;
   double* vx;
   double* vy;
+  double* growth;
   const double* inverse_mass;
   const double* weight;
   const double* contact_x;

@@ -18,7 +18,7 @@ struct NodeBuffers {
   void resize(Index corners);
 };
 
-/// First pass: forces of stress and joints on every corner.
+/// First pass: forces of the stress, and of joints and pore pressure, on every corner.
 struct StoreForces {
   static constexpr bool vectorised = true;
   Move move;
@@ -33,7 +33,11 @@ struct StoreForces {
     NodeBuffers& b = *buffers;
     store_corners<Lane>(f.stress, b.stress_x.data(), b.stress_y.data(), first);
     store_corners<Lane>(f.viscous, b.viscous_x.data(), b.viscous_y.data(), first);
-    store_corners<Lane>(f.joint, b.joint_x.data(), b.joint_y.data(), first);
+    CornerVectors<typename Lane::Real> joint = f.joint;
+    for (std::size_t k = 0; k < 3 && move.solid.is_wet(); ++k) {
+      joint[k] = joint[k] + f.fluid[k];
+    }
+    store_corners<Lane>(joint, b.joint_x.data(), b.joint_y.data(), first);
   }
 };
 
@@ -70,11 +74,15 @@ struct FinishMotion {
     const CornerVectors<Real> v = load_corners<Lane>(move.vx, move.vy, first);
     const CornerVectors<Real> fast = load_corners<Lane>(b.new_vx.data(), b.new_vy.data(), first);
     CornerVectors<Real> u = load_corners<Lane>(move.ux, move.uy, first);
+    if (move.solid.is_wet()) {
+      f.fluid = move.solid.of_pores<Lane>(t, u);
+    }
     for (std::size_t k = 0; k < 3; ++k) {
       u[k] = u[k] + Real(move.law.dt) * fast[k];
     }
     store_corners<Lane>(fast, move.vx, move.vy, first);
     store_corners<Lane>(u, move.ux, move.uy, first);
+    move.keep_growth<Lane>(t, u);
     move.book(lane, f, v, fast, Lane::load(move.inverse_mass + t), sums);
   }
 };

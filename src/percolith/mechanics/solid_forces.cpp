@@ -15,8 +15,9 @@ SolidForces::SolidForces(const Model& model)
       bx_(model.triangles.bx.data()), by_(model.triangles.by.data()),
       initial_xx_(view(model.triangles.initial_xx)), initial_yy_(view(model.triangles.initial_yy)),
       initial_xy_(view(model.triangles.initial_xy)), viscosity_(view(model.triangles.viscosity)),
-      material_of_(model.triangles.material.data()), uniform_(model.triangles.uniform.data()),
-      material_(model.material.data()), edge_joint_(model.triangles.edge_joint.data()),
-      force_(model.joints.force.data()) {}
+      pore_pressure_(model.pores.pressure.empty() ? nullptr : model.pores.pressure.data()),
+      biot_(view(model.pores.biot)), material_of_(model.triangles.material.data()),
+      uniform_(model.triangles.uniform.data()), material_(model.material.data()),
+      edge_joint_(model.triangles.edge_joint.data()), force_(model.joints.force.data()) {}
 
 }  // namespace percolith::mechanics

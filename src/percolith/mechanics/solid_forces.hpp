@@ -37,6 +37,7 @@ PERCOLITH_DEVICE void store_corners(const CornerVectors<typename Lane::Real>& v,
 struct SolidForces {
   explicit SolidForces(const Model& model);
   [[nodiscard]] PERCOLITH_DEVICE bool is_viscous() const { return viscosity_ != nullptr; }
+  [[nodiscard]] PERCOLITH_DEVICE bool is_wet() const { return pore_pressure_ != nullptr; }
 
   /// Forces of the stress, viscous stress included; `viscous` gets the forces of the viscous part
   /// and is left alone where nothing is viscous.
@@ -68,6 +69,31 @@ struct SolidForces {
       stress.xy += drag.xy;
     }
     return corner_forces(shape, h, stress);
+  }
+
+  /// Forces of the pore pressure, alpha times the mean of the three corners, (38) to (40).
+  template <class Lane>
+  PERCOLITH_DEVICE CornerVectors<typename Lane::Real>
+  of_pores(Index t, const CornerVectors<typename Lane::Real>& u) const {
+    using Real = typename Lane::Real;
+    const Index first = mesh::corner_of(t, 0);
+    const Real sum =
+        (Lane::load(pore_pressure_ + first) + Lane::load(pore_pressure_ + first + block_width)) +
+        Lane::load(pore_pressure_ + first + 2 * block_width);
+    const Vec2<Real> a{Lane::load(ax_ + t), Lane::load(ay_ + t)};
+    const Vec2<Real> b{Lane::load(bx_ + t), Lane::load(by_ + t)};
+    return pressure_forces(a + (u[1] - u[0]), b + (u[2] - u[0]),
+                           Lane::load(biot_ + t) * (Real(1.0 / 3.0) * sum));
+  }
+
+  /// By how much the pores of the triangles have grown at the displacements `u`, m2.
+  template <class Lane>
+  PERCOLITH_DEVICE typename Lane::Real
+  pore_growth(Index t, const CornerVectors<typename Lane::Real>& u) const {
+    using Real = typename Lane::Real;
+    const Vec2<Real> a{Lane::load(ax_ + t), Lane::load(ay_ + t)};
+    const Vec2<Real> b{Lane::load(bx_ + t), Lane::load(by_ + t)};
+    return Lane::load(biot_ + t) * area_growth(a, b, u[1] - u[0], u[2] - u[0]);
   }
 
   /// Forces of the joints at the three edges.
@@ -112,6 +138,8 @@ private:
   const double* initial_yy_;
   const double* initial_xy_;
   const double* viscosity_;
+  const double* pore_pressure_;
+  const double* biot_;
   const Index* material_of_;
   const std::uint8_t* uniform_;
   const SolidMaterial* material_;

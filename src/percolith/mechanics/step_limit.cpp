@@ -50,8 +50,11 @@ double triangle_stiffness(const std::array<Point, 3>& p, const Matrix3& d) {
   return area * largest_eigenvalue(d, bb);
 }
 
-Matrix3 stiffness_matrix(const material::PlaneStiffness<double>& d) {
-  return {{{d.xx_xx, d.xx_yy, d.xx_xy}, {d.xx_yy, d.yy_yy, d.yy_xy}, {d.xx_xy, d.yy_xy, d.xy_xy}}};
+/// `fluid` is alpha^2 M of pores that cannot drain, Pa.
+Matrix3 stiffness_matrix(const material::PlaneStiffness<double>& d, double fluid) {
+  return {{{d.xx_xx + fluid, d.xx_yy + fluid, d.xx_xy},
+           {d.xx_yy + fluid, d.yy_yy + fluid, d.yy_xy},
+           {d.xx_xy, d.yy_xy, d.xy_xy}}};
 }
 
 double joint_stiffness(const Model& model, Index triangle, Index k) {
@@ -124,7 +127,8 @@ Frequencies frequencies(const Model& model, Index t, double contact_penalty) {
   const double inverse_mass = model.triangles.inverse_mass[at(t)];
   const SolidMaterial& material = model.material[at(model.triangles.material[at(t)])];
   Frequencies f;
-  f.triangle = triangle_stiffness(p, stiffness_matrix(material.stiffness)) * inverse_mass;
+  const double fluid = model.pores.stiffness.empty() ? 0.0 : model.pores.stiffness[at(t)];
+  f.triangle = triangle_stiffness(p, stiffness_matrix(material.stiffness, fluid)) * inverse_mass;
   f.joints = joint_frequency(model, t, p, inverse_mass);
   const double area = model.mesh.area(t);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -151,6 +155,11 @@ double stable_step(double square, double viscous) {
   return 4.0 / (viscous + std::sqrt(viscous * viscous + 4.0 * square));
 }
 
+double stable_step(const Model& model, const Frequencies& f, double more) {
+  return stable_step(together(model, f) + (1.0 + model.damping.local) * more,
+                     f.viscous + f.absorbing);
+}
+
 std::vector<MotionLimit> step_limits(const Model& model, std::span<const double> contact_penalty) {
   MotionLimit triangles{"triangles"};
   MotionLimit joints{"joints"};
@@ -173,7 +182,7 @@ std::vector<MotionLimit> step_limits(const Model& model, std::span<const double>
     note(contact, stable_step(f.contact, 0.0), t);
     note(viscosity, stable_step(0.0, f.viscous), t);
     note(absorbing, stable_step(0.0, f.absorbing), t);
-    note(all, stable_step(together(model, f), f.viscous + f.absorbing), t);
+    note(all, stable_step(model, f, 0.0), t);
   }
   std::vector<MotionLimit> limits;
   for (MotionLimit* limit : {&triangles, &joints, &contact, &viscosity, &absorbing}) {

@@ -12,7 +12,7 @@ namespace percolith::mechanics {
 /// Squares of frequencies that bound what one triangle adds to the motion of its corners, 1/s2, and
 /// the rate of viscous decay, 1/s.
 struct Frequencies {
-  double triangle = 0.0;
+  double triangle = 0.0;  ///< pores that cannot drain included
   double joints = 0.0;
   double contact = 0.0;
   double viscous = 0.0;
@@ -36,6 +36,10 @@ struct MotionLimit {
 /// Longest stable step of a mode of frequency square `square` that decays at rate `viscous`, where
 /// viscous forces are those of the last velocities: dt^2 square + 2 dt viscous = 4.
 [[nodiscard]] double stable_step(double square, double viscous);
+
+/// Longest stable step of a triangle on which something that is no part of `f` acts besides, such
+/// as the fluid in a crack, of frequency square `more` (1/s2).
+[[nodiscard]] double stable_step(const Model& model, const Frequencies& f, double more);
 
 /// Limits of the explicit step for each mechanism that is there, smallest first; the last entry
 /// counts all together and is the one that holds. `contact_penalty` has one entry a triangle, Pa;

@@ -75,6 +75,24 @@ PERCOLITH_DEVICE CornerForces<Real> corner_forces(const TriangleShape<Real>& t,
   return {Vec2<Real>{-(f1.x + f2.x), -(f1.y + f2.y)}, f1, f2};
 }
 
+/// Forces of a pressure (Pa) inside a triangle with the present edges `a` and `b` (m) on its
+/// corners, (40): the pressure times the derivative of the area to the place of each corner.
+template <class Real>
+PERCOLITH_DEVICE CornerForces<Real> pressure_forces(Vec2<Real> a, Vec2<Real> b, Real pressure) {
+  const Real half = Real(0.5) * pressure;
+  const Vec2<Real> f1 = half * clockwise(b);
+  const Vec2<Real> f2 = -half * clockwise(a);
+  return {Vec2<Real>{-(f1.x + f2.x), -(f1.y + f2.y)}, f1, f2};
+}
+
+/// Growth of the area (m2) of a triangle with undeformed edges `a` and `b` whose corners 1 and 2
+/// have moved by `to_1` and `to_2` against corner 0 (m); free of the loss of digits that the
+/// difference of two areas has.
+template <class Real>
+PERCOLITH_DEVICE Real area_growth(Vec2<Real> a, Vec2<Real> b, Vec2<Real> to_1, Vec2<Real> to_2) {
+  return Real(0.5) * ((cross(a, to_2) + cross(to_1, b)) + cross(to_1, to_2));
+}
+
 /// Cauchy stress F S F^T/det F of a second Piola-Kirchhoff stress S, Pa.
 PERCOLITH_DEVICE Tensor cauchy_stress(const Gradient<double>& h, const Tensor& s) {
   const double fxx = 1.0 + h.x.x;

@@ -5,6 +5,7 @@
 #include "percolith/material/fracture.hpp"
 
 #include <algorithm>
+#include <limits>
 
 // Flow along one broken joint and between it and the rock (theory.md section 5).
 namespace percolith::seepage {
@@ -14,10 +15,12 @@ PERCOLITH_DEVICE double hydraulic_aperture(const material::Fracture& f, double o
   return std::min(std::max(f.initial_aperture + opening, f.minimum_aperture), f.maximum_aperture);
 }
 
-/// Aperture that holds fluid: a_0 + u_n, not below a_min and not limited above (theory.md section
-/// 5).
+/// Aperture that holds fluid: a_0 + u_n, not below a_min; not limited above (theory.md section 5),
+/// or as the hydraulic one where the storage is clamped.
 PERCOLITH_DEVICE double storage_aperture(const material::Fracture& f, double opening) {
-  return std::max(f.initial_aperture + opening, f.minimum_aperture);
+  const double most =
+      f.clamped_storage ? f.maximum_aperture : std::numeric_limits<double>::infinity();
+  return std::min(std::max(f.initial_aperture + opening, f.minimum_aperture), most);
 }
 
 /// Conductance T/(mu L) between the two crack nodes of a broken joint (m2/(Pa s)); T is the

@@ -114,7 +114,8 @@ std::vector<Index> open_node_numbers(const Model& model) {
 
 }  // namespace
 
-ExplicitStep::ExplicitStep(const Model& model) : inflow_(at(model.mesh.corners()), 0.0) {
+ExplicitStep::ExplicitStep(const Model& model, Fields fields)
+    : fields_(fields), inflow_(at(model.mesh.corners()), 0.0) {
   if (!model.pore.joint.empty()) {
     across_ = joints_across(model);
   }
@@ -123,6 +124,14 @@ ExplicitStep::ExplicitStep(const Model& model) : inflow_(at(model.mesh.corners()
 
 void ExplicitStep::network_changed(const Model& model) {
   const auto& broken = model.cracks.broken_joints();
+  if (!across_.conductance.empty()) {
+    for (const Index j : broken) {
+      close_joint(model, j, across_);
+    }
+  }
+  if (fields_ == Fields::pores) {
+    return;
+  }
   exchange_flow_.resize(4 * broken.size());
   crack_flow_.resize(broken.size());
   faces_.clear();
@@ -145,19 +154,22 @@ void ExplicitStep::network_changed(const Model& model) {
       faces_.push_back({joint.corner[0][end], {slot, mesh::none}});
       faces_.push_back({joint.corner[1][end], {slot + 2, mesh::none}});
     }
-    if (!across_.conductance.empty()) {
-      close_joint(model, broken[k], across_);
-    }
   }
   merge_faces(faces_);
 }
 
 void ExplicitStep::advance(Model& model, double dt, Execution& execution) {
-  const double t = model.state.time + dt;
+  std::vector<Booking> bookings;
+  step(model, model.state.time, dt, execution, bookings);
+  book_step(model, bookings, dt);
+  model.state.time += dt;
+}
+
+void ExplicitStep::step(Model& model, double t, double dt, Execution& execution,
+                        std::vector<Booking>& bookings) {
   const bool weighted = model.can_empty();
   const auto cracks = static_cast<Index>(crack_flow_.size());
   State& s = model.state;
-  bookings_.clear();
   execution.for_each("pore flow", model.mesh.triangles(),
                      PoreFlow{s.pressure.data(), s.saturation.data(), model.pore.conductance.data(),
                               model.pore.lift.data(), inflow_.data(), model.weight, weighted});
@@ -171,14 +183,18 @@ void ExplicitStep::advance(Model& model, double dt, Execution& execution) {
                      CrackFlow{&model, exchange_flow_.data(), crack_flow_.data()});
   execution.for_each("crack flow", static_cast<Index>(faces_.size()),
                      FaceInflow{faces_.data(), exchange_flow_.data(), inflow_.data()});
-  apply_rates(model, dt);
+  apply_rates(model, t, dt, bookings);
   advance_pores(model, dt, execution);
-  execution.for_each(
-      "crack contents", static_cast<Index>(model.cracks.open_nodes().size()),
-      CrackContents{&model, &crack_ends_, exchange_flow_.data(), crack_flow_.data(), dt});
-  apply_pressures(model, last_moment(t));
-  book_step(model, bookings_, dt);
-  model.state.time = t;
+  const bool with_cracks = fields_ == Fields::pores_and_cracks;
+  if (with_cracks) {
+    execution.for_each(
+        "crack contents", static_cast<Index>(model.cracks.open_nodes().size()),
+        CrackContents{&model, &crack_ends_, exchange_flow_.data(), crack_flow_.data(), dt});
+  }
+  apply_pressures(model, last_moment(t + dt), bookings);
+  if (with_cracks) {
+    apply_crack_pressures(model, last_moment(t + dt), bookings);
+  }
 }
 
 void ExplicitStep::advance_pores(Model& model, double dt, Execution& execution) {
@@ -190,6 +206,8 @@ void ExplicitStep::advance_pores(Model& model, double dt, Execution& execution) 
                            s.pressure.data(),
                            s.saturation.data(),
                            inflow_.data(),
+                           s.growth.data(),
+                           model.swelling.empty() ? nullptr : model.swelling.data(),
                            model.mesh.corners(),
                            model.reference_pressure(),
                            model.can_empty(),
@@ -202,38 +220,35 @@ void ExplicitStep::advance_pores(Model& model, double dt, Execution& execution) 
   }
 }
 
-void ExplicitStep::apply_rates(Model& model, double dt) {
-  const double middle = model.state.time + 0.5 * dt;
+void ExplicitStep::apply_rates(Model& model, double t, double dt,
+                               std::vector<Booking>& bookings) const {
+  const double middle = t + 0.5 * dt;
   State& s = model.state;
   for (const NodeCondition& c : model.conditions.pore.rate) {
     const double volume = model.conditions.value(c, middle) * dt;
     const auto node = at(model.pore_nodes.leader(c.place));
     add_compensated(s.content[node], s.content_carry[node], volume);
-    bookings_.push_back({c.condition, model.mesh.vertex_of(c.place), volume});
+    bookings.push_back({c.condition, model.mesh.vertex_of(c.place), volume});
+  }
+  if (fields_ == Fields::pores) {
+    return;
   }
   for (const NodeCondition& c : model.conditions.crack.rate) {
     const double volume = model.conditions.value(c, middle) * dt;
     add_compensated(s.crack_content[at(c.place)], s.crack_content_carry[at(c.place)], volume);
-    bookings_.push_back({c.condition, c.place, volume});
+    bookings.push_back({c.condition, c.place, volume});
   }
 }
 
-void ExplicitStep::apply_pressures(Model& model, double t) {
+void ExplicitStep::apply_pressures(Model& model, double t, std::vector<Booking>& bookings) const {
   const State& s = model.state;
   const double reference = model.reference_pressure();
   const auto pore = [&](const NodeCondition& c, double pressure) {
     const Index node = model.pore_nodes.leader(c.place);
-    const double target = s.storage[at(node)] * (pressure - reference);
+    const double target = s.storage[at(node)] * (pressure - reference) + s.growth[at(node)];
     const double volume = (target - s.content[at(node)]) - s.content_carry[at(node)];
     set_pore_content(model, node, {target, 0.0});
-    bookings_.push_back({c.condition, model.mesh.vertex_of(c.place), volume});
-  };
-  const auto crack = [&](const NodeCondition& c, double pressure) {
-    const double target = model.crack_storage(c.place) * (pressure - reference);
-    const double volume =
-        (target - s.crack_content[at(c.place)]) - s.crack_content_carry[at(c.place)];
-    set_crack_content(model, c.place, {target, 0.0});
-    bookings_.push_back({c.condition, c.place, volume});
+    bookings.push_back({c.condition, model.mesh.vertex_of(c.place), volume});
   };
   for (const NodeCondition& c : model.conditions.pore.pressure) {
     pore(c, model.conditions.value(c, t));
@@ -244,6 +259,19 @@ void ExplicitStep::apply_pressures(Model& model, double t) {
       pore(c, outside);
     }
   }
+}
+
+void ExplicitStep::apply_crack_pressures(Model& model, double t,
+                                         std::vector<Booking>& bookings) const {
+  const State& s = model.state;
+  const double reference = model.reference_pressure();
+  const auto crack = [&](const NodeCondition& c, double pressure) {
+    const double target = model.crack_storage(c.place) * (pressure - reference);
+    const double volume =
+        (target - s.crack_content[at(c.place)]) - s.crack_content_carry[at(c.place)];
+    set_crack_content(model, c.place, {target, 0.0});
+    bookings.push_back({c.condition, c.place, volume});
+  };
   for (const NodeCondition& c : model.conditions.crack.pressure) {
     if (model.cracks.is_open(c.place)) {
       crack(c, model.conditions.value(c, t));

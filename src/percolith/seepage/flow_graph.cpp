@@ -28,7 +28,7 @@ GraphState gather_state(const Model& model, const FlowGraph& graph) {
       const bool crack = m < 0;
       const auto i = at(crack ? -1 - m : m);
       const State& s = model.state;
-      state.content[n] += crack ? s.crack_content[i] : s.content[i];
+      state.content[n] += crack ? s.crack_content[i] : s.content[i] - s.growth[i];
       state.content[n].carry += crack ? s.crack_content_carry[i] : s.content_carry[i];
       state.pressure[n] = crack ? s.crack_pressure[i] : s.pressure[i];
       state.saturation[n] = crack ? s.crack_saturation[i] : s.saturation[i];
@@ -54,8 +54,8 @@ void scatter_contents(Model& model, const FlowGraph& graph,
       const Index vertex = -1 - m;
       CompensatedSum part = whole;
       if (members.size() > 1) {
-        const double volume =
-            m < 0 ? model.crack.void_volume[at(vertex)] : model.state.void_volume[at(m)];
+        const double volume = m < 0 ? model.crack.void_volume[at(vertex)]
+                                    : model.state.void_volume[at(m)] + model.state.growth[at(m)];
         const double storage = m < 0 ? model.crack_storage(vertex) : model.state.storage[at(m)];
         const double share =
             partly_empty ? volume / graph.void_volume[at(n)] : storage / graph.storage[at(n)];
@@ -64,6 +64,7 @@ void scatter_contents(Model& model, const FlowGraph& graph,
       if (m < 0) {
         set_crack_content(model, vertex, part);
       } else {
+        part += model.state.growth[at(m)];
         set_pore_content(model, m, part);
       }
     }

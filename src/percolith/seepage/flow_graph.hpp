@@ -41,6 +41,12 @@ struct FlowGraph {
 };
 
 [[nodiscard]] FlowGraph make_flow_graph(const Model& model);
+/// The crack network alone: the open crack nodes, then the pore nodes their faces belong to, with
+/// the joints along cracks and the exchange between both.
+[[nodiscard]] FlowGraph make_crack_graph(const Model& model);
+/// Brings volumes of all nodes and conductances along cracks up to date with the openings of the
+/// cracks and the growth of the pores.
+void refresh_graph(const Model& model, FlowGraph& graph);
 
 /// Pressure, saturation and excess of every node of a graph. The pressure is `pressure + change`:
 /// a small change on a large pressure keeps its digits, and so do the flows it drives.
@@ -48,7 +54,7 @@ struct GraphState {
   std::vector<double> pressure;         ///< Pa
   std::vector<double> change;           ///< Pa
   std::vector<double> saturation;       ///< 1
-  std::vector<CompensatedSum> content;  ///< m2
+  std::vector<CompensatedSum> content;  ///< m2: excess over the present voids
 };
 
 /// Copies the state of the model into the numbering of the graph.

@@ -17,7 +17,32 @@ void add_once(const std::vector<NodeCondition>& from, const NodeOf& node_of,
   }
 }
 
+void add_crack_rates(const Model& model, const FlowGraph& graph, GraphConditions& result) {
+  for (const NodeCondition& c : model.conditions.crack.rate) {
+    const Index node = graph.node_of_vertex[at(c.place)];
+    if (node != mesh::none) {
+      result.rate.push_back({node, c.place, c});
+    }
+  }
+}
+
 }  // namespace
+
+GraphConditions make_crack_conditions(const Model& model, const FlowGraph& graph) {
+  const auto of_vertex = [&](Index v) { return graph.node_of_vertex[at(v)]; };
+  const auto at_vertex = [](Index v) { return v; };
+  GraphConditions result;
+  result.prescribed.assign(at(graph.nodes()), 0);
+  for (Index n = 0; n < graph.nodes(); ++n) {
+    result.prescribed[at(n)] = graph.members.row(n).front() >= 0 ? 1 : 0;
+  }
+  add_once(model.conditions.crack.pressure, of_vertex, at_vertex, result.prescribed,
+           result.pressure);
+  std::vector<std::uint8_t> taken = result.prescribed;
+  add_once(model.conditions.crack.seepage_face, of_vertex, at_vertex, taken, result.seepage_face);
+  add_crack_rates(model, graph, result);
+  return result;
+}
 
 GraphConditions make_graph_conditions(const Model& model, const FlowGraph& graph) {
   const auto of_corner = [&](Index c) {
@@ -37,11 +62,7 @@ GraphConditions make_graph_conditions(const Model& model, const FlowGraph& graph
   for (const NodeCondition& c : given.pore.rate) {
     result.rate.push_back({of_corner(c.place), at_corner(c.place), c});
   }
-  for (const NodeCondition& c : given.crack.rate) {
-    if (of_vertex(c.place) != mesh::none) {
-      result.rate.push_back({of_vertex(c.place), c.place, c});
-    }
-  }
+  add_crack_rates(model, graph, result);
   return result;
 }
 

@@ -27,5 +27,8 @@ struct GraphConditions {
 
 /// Conditions at closed crack nodes are left out: they act once a crack opens there.
 [[nodiscard]] GraphConditions make_graph_conditions(const Model& model, const FlowGraph& graph);
+/// Those of the crack network alone, for the graph of `make_crack_graph`: the pores the cracks face
+/// keep their pressure, without a condition.
+[[nodiscard]] GraphConditions make_crack_conditions(const Model& model, const FlowGraph& graph);
 
 }  // namespace percolith::seepage

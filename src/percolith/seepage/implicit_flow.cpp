@@ -16,15 +16,26 @@ constexpr double saturation_share = 0.02;
 
 }  // namespace
 
-ImplicitFlow::ImplicitFlow(const Model& model)
-    : graph_(make_flow_graph(model)), conditions_(make_graph_conditions(model, graph_)),
+ImplicitFlow::ImplicitFlow(const Model& model, Network network)
+    : graph_(network == Network::all ? make_flow_graph(model) : make_crack_graph(model)),
+      conditions_(network == Network::all ? make_graph_conditions(model, graph_)
+                                          : make_crack_conditions(model, graph_)),
       system_(graph_, conditions_.prescribed), active_(graph_), conductance_(graph_.conductance),
       storage_rate_(at(graph_.nodes())), source_(at(graph_.nodes())), rate_(at(graph_.nodes())),
       flow_(graph_.from.size()), inflow_(at(graph_.nodes())), content_(at(graph_.nodes())),
       previous_rate_(at(graph_.nodes()), 0.0) {}
 
+void ImplicitFlow::refresh(const Model& model) {
+  refresh_graph(model, graph_);
+  factorised_dt_ = 0.0;
+}
+
 bool ImplicitFlow::attempt(const Model& model, double dt, Execution& execution) {
-  prepare(model, dt);
+  return attempt(model, model.state.time, dt, execution);
+}
+
+bool ImplicitFlow::attempt(const Model& model, double t, double dt, Execution& execution) {
+  prepare(model, t, dt);
   if (!iterate(model, dt, execution)) {
     factorised_dt_ = 0.0;
     return false;
@@ -34,20 +45,21 @@ bool ImplicitFlow::attempt(const Model& model, double dt, Execution& execution) 
   return true;
 }
 
-void ImplicitFlow::prepare(const Model& model, double dt) {
+void ImplicitFlow::prepare(const Model& model, double t, double dt) {
+  time_ = t;
   dt_ = dt;
   start_ = gather_state(model, graph_);
   state_ = start_;
   active_.start(model, graph_, start_);
   std::fill(rate_.begin(), rate_.end(), 0.0);
   booked_.clear();
-  const double middle = model.state.time + 0.5 * dt;
+  const double middle = t + 0.5 * dt;
   for (const GraphCondition& c : conditions_.rate) {
     const double rate = model.conditions.value(c.condition, middle);
     rate_[at(c.node)] += rate;
     booked_.push_back({c.condition.condition, c.vertex, rate * dt});
   }
-  const double end = last_moment(model.state.time + dt);
+  const double end = last_moment(t + dt);
   for (const GraphCondition& c : conditions_.pressure) {
     state_.pressure[at(c.node)] = model.conditions.value(c.condition, end);
     state_.saturation[at(c.node)] = 1.0;
@@ -59,7 +71,7 @@ void ImplicitFlow::prepare(const Model& model, double dt) {
 }
 
 bool ImplicitFlow::iterate(const Model& model, double dt, Execution& execution) {
-  const double end = last_moment(model.state.time + dt);
+  const double end = last_moment(time_ + dt);
   const double reference = model.reference_pressure();
   for (iterations_ = 1; iterations_ <= most_iterations; ++iterations_) {
     const bool linear = !active_.any_empty() && conditions_.seepage_face.empty();
@@ -98,7 +110,7 @@ bool ImplicitFlow::iterate(const Model& model, double dt, Execution& execution) 
 }
 
 void ImplicitFlow::finish(const Model& model, double dt) {
-  const double end = last_moment(model.state.time + dt);
+  const double end = last_moment(time_ + dt);
   for (std::size_t n = 0; n < content_.size(); ++n) {
     content_[n] = start_.content[n];
     content_[n] += dt * (inflow_[n] + rate_[n]);
@@ -161,13 +173,25 @@ void ImplicitFlow::estimate_error(const Model& model, double dt) {
 }
 
 void ImplicitFlow::accept(Model& model) {
+  apply(model);
+  book_step(model, booked_, dt_);
+  model.state.time += dt_;
+}
+
+double ImplicitFlow::inflow_of_pores(double dt) const {
+  double sum = 0.0;
+  for (Index n = 0; n < graph_.nodes(); ++n) {
+    sum += graph_.members.row(n).front() >= 0 ? inflow_[at(n)] : 0.0;
+  }
+  return sum * dt;
+}
+
+void ImplicitFlow::apply(Model& model) {
   for (std::size_t n = 0; n < content_.size(); ++n) {
     previous_rate_[n] = (content_[n].total() - start_.content[n].total()) / dt_;
   }
   previous_dt_ = dt_;
-  book_step(model, booked_, dt_);
   scatter_contents(model, graph_, content_);
-  model.state.time += dt_;
 }
 
 }  // namespace percolith::seepage

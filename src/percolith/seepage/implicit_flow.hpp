@@ -8,20 +8,32 @@
 #include "percolith/seepage/graph_conditions.hpp"
 #include "percolith/seepage/pressure_system.hpp"
 
+#include <span>
 #include <vector>
 
 namespace percolith::seepage {
+
+/// Which nodes an implicit step solves for.
+enum class Network { all, cracks };
 
 /// Backward Euler over pore and crack nodes together (theory.md section 6). Every step solves for
 /// the pressures, then moves the contents by the flows those pressures drive, so that fluid is
 /// conserved whatever the solution's accuracy.
 class ImplicitFlow {
 public:
-  explicit ImplicitFlow(const Model& model);
+  /// Over everything, or over the cracks alone, whose exchange with the pores starts from their
+  /// present pressures then.
+  explicit ImplicitFlow(const Model& model, Network network = Network::all);
+
+  /// To be called when cracks have opened or pores have grown since the last step, but no joint has
+  /// broken: that takes a new object.
+  void refresh(const Model& model);
 
   /// Computes a step of `dt` seconds; false when the iteration over saturations and active set did
   /// not settle, and the step must be tried again with a smaller dt. The model stays as it was.
   [[nodiscard]] bool attempt(const Model& model, double dt, Execution& execution);
+  /// The same for a step that starts at time `t`, s.
+  [[nodiscard]] bool attempt(const Model& model, double t, double dt, Execution& execution);
 
   /// Local error of the attempted step: the change of content that the present and the previous
   /// rates disagree about, over the content that a change of pressure by its range in the model
@@ -31,13 +43,20 @@ public:
 
   /// Makes the attempted step the state of the model and books what the conditions let in.
   void accept(Model& model);
+  /// The same, but for the accounts and the time of the model.
+  void apply(Model& model);
+  /// Fluid that flowed into the pore nodes in the attempted step of `dt` seconds, m2: in a step of
+  /// the cracks alone what leaked out of them.
+  [[nodiscard]] double inflow_of_pores(double dt) const;
+  /// What the conditions let in in the attempted step.
+  [[nodiscard]] std::span<const Booking> bookings() const { return booked_; }
 
   [[nodiscard]] int iterations() const { return iterations_; }
   [[nodiscard]] const FlowGraph& graph() const { return graph_; }
   [[nodiscard]] Index unknowns() const { return system_.unknowns(); }
 
 private:
-  void prepare(const Model& model, double dt);
+  void prepare(const Model& model, double t, double dt);
   [[nodiscard]] bool iterate(const Model& model, double dt, Execution& execution);
   void finish(const Model& model, double dt);
   void estimate_error(const Model& model, double dt);
@@ -46,6 +65,7 @@ private:
   GraphConditions conditions_;
   PressureSystem system_;
   ActiveSet active_;
+  double time_ = 0.0;  // at which the attempted step starts
   double dt_ = 0.0;
   double factorised_dt_ = 0.0;  // of a matrix without partly empty nodes; 0: none
   int iterations_ = 0;

@@ -101,11 +101,35 @@ void set_volumes(const Model& model, FlowGraph& graph) {
     for (const Index m : graph.members.row(static_cast<Index>(n))) {
       const Index vertex = m < 0 ? -1 - m : model.mesh.vertex_of(m);
       graph.storage[n] += m < 0 ? model.crack_storage(vertex) : model.state.storage[at(m)];
-      graph.void_volume[n] +=
-          m < 0 ? model.crack.void_volume[at(vertex)] : model.state.void_volume[at(m)];
+      graph.void_volume[n] += m < 0 ? model.crack.void_volume[at(vertex)]
+                                    : model.state.void_volume[at(m)] + model.state.growth[at(m)];
       graph.lift[n] = model.crack.lift[at(vertex)];
     }
   }
+}
+
+/// Numbers crack nodes and the pore nodes they face.
+void number_crack_nodes(const Model& model, FlowGraph& graph) {
+  graph.node_of_corner.assign(at(model.mesh.corners()), mesh::none);
+  graph.node_of_vertex.assign(model.mesh.vertex.size(), mesh::none);
+  auto& members = graph.members.entry;
+  for (const Index v : model.cracks.open_nodes()) {
+    graph.node_of_vertex[at(v)] = static_cast<Index>(members.size());
+    members.push_back(-1 - v);
+  }
+  for (const Index j : model.cracks.broken_joints()) {
+    for (const auto& side : model.mesh.joint[at(j)].corner) {
+      for (const Index corner : side) {
+        const Index face = model.pore_nodes.leader(corner);
+        if (model.crack.exchange[at(j)] > 0.0 && graph.node_of_corner[at(face)] == mesh::none) {
+          graph.node_of_corner[at(face)] = static_cast<Index>(members.size());
+          members.push_back(face);
+        }
+      }
+    }
+  }
+  graph.members.start.resize(members.size() + 1);
+  std::iota(graph.members.start.begin(), graph.members.start.end(), 0);
 }
 
 void add_edge(FlowGraph& graph, Index from, Index to, double conductance) {
@@ -156,7 +180,7 @@ void add_cracks(const Model& model, FlowGraph& graph) {
 
 void add_exchange(const Model& model, FlowGraph& graph) {
   for (const Index j : model.cracks.broken_joints()) {
-    if (shares_pressure(model, j)) {
+    if (shares_pressure(model, j) || model.crack.exchange[at(j)] == 0.0) {
       continue;
     }
     const mesh::Joint& joint = model.mesh.joint[at(j)];
@@ -207,6 +231,24 @@ FlowGraph make_flow_graph(const Model& model) {
   add_exchange(model, graph);
   set_incidence(graph);
   return graph;
+}
+
+FlowGraph make_crack_graph(const Model& model) {
+  FlowGraph graph;
+  number_crack_nodes(model, graph);
+  set_volumes(model, graph);
+  add_cracks(model, graph);
+  add_exchange(model, graph);
+  set_incidence(graph);
+  return graph;
+}
+
+void refresh_graph(const Model& model, FlowGraph& graph) {
+  set_volumes(model, graph);
+  auto edge = at(graph.joint_edges);
+  for (const Index j : model.cracks.broken_joints()) {
+    graph.conductance[edge++] = model.crack.conductance[at(j)];
+  }
 }
 
 Point FlowGraph::place(const Model& model, Index node) const {

@@ -69,6 +69,9 @@ PoreProperties pore_properties(const Model& model) {
 CrackProperties crack_properties(const Model& model) {
   CrackProperties crack;
   crack.group.assign(model.mesh.joint.size(), mesh::none);
+  for (auto& opening : crack.opening) {
+    opening.assign(model.mesh.joint.size(), 0.0);
+  }
   crack.aperture.assign(model.mesh.joint.size(), 0.0);
   crack.conductance.assign(model.mesh.joint.size(), 0.0);
   crack.exchange.assign(model.mesh.joint.size(), 0.0);
@@ -90,6 +93,7 @@ State empty_state(const Model& model) {
   state.content_carry.assign(slots, 0.0);
   state.storage.assign(slots, 0.0);
   state.void_volume.assign(slots, 0.0);
+  state.growth.assign(slots, 0.0);
   for (Index c = 0; c < model.mesh.corners(); ++c) {
     const auto node = at(model.pore_nodes.leader(c));
     state.storage[node] += model.pore.storage[at(c)];
@@ -147,7 +151,7 @@ void set_pore_content(Model& model, Index node, CompensatedSum content) {
   const auto i = at(node);
   s.content[i] = content.value;
   s.content_carry[i] = content.carry;
-  const auto fluid = fluid_state(content.total(), 0.0, s.storage[i], s.void_volume[i],
+  const auto fluid = fluid_state(content.total(), s.growth[i], s.storage[i], s.void_volume[i],
                                  model.reference_pressure(), model.can_empty());
   model.pore_nodes.for_each_corner(model.mesh, node, [&](Index corner) {
     s.pressure[at(corner)] = fluid.pressure;
@@ -165,6 +169,21 @@ void set_crack_content(Model& model, Index vertex, CompensatedSum content) {
                   model.reference_pressure(), model.can_empty());
   s.crack_pressure[i] = fluid.pressure;
   s.crack_saturation[i] = fluid.saturation;
+}
+
+void take_swelling(Model& model, Index vertex) {
+  State& s = model.state;
+  for (const Index node : model.mesh.vertex_corners.row(vertex)) {
+    if (model.pore_nodes.leader(node) != node) {
+      continue;
+    }
+    double growth = 0.0;
+    model.pore_nodes.for_each_corner(model.mesh, node, [&](Index corner) {
+      growth += model.swelling[at(mesh::triangle_of(corner))];
+    });
+    s.growth[at(node)] = (1.0 / 3.0) * growth;
+    set_pore_content(model, node, {s.content[at(node)], s.content_carry[at(node)]});
+  }
 }
 
 double fluid_in_place(const Model& model, const Execution& execution) {

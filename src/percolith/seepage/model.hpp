@@ -14,6 +14,7 @@
 #include "percolith/seepage/content.hpp"
 #include "percolith/seepage/options.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -34,11 +35,13 @@ struct PoreProperties {
 
 /// What belongs to the broken joints and the open crack nodes.
 struct CrackProperties {
-  std::vector<Index> group;         ///< per joint: fracture group, or `none`
+  std::vector<Index> group;  ///< per joint: fracture group, or `none`
+  /// Per joint and end [end]: opening u_n since time zero, m.
+  std::array<std::vector<double>, 2> opening;
   std::vector<double> aperture;     ///< per joint: hydraulic aperture, m
   std::vector<double> conductance;  ///< per joint: along the crack, m2/(Pa s)
   std::vector<double> exchange;     ///< per joint: to each facing corner, m2/(Pa s)
-  std::vector<double> void_volume;  ///< per vertex: volume of the crack node, m2
+  std::vector<double> void_volume;  ///< per vertex: present volume of the crack node, m2
   std::vector<double> lift;         ///< per vertex: rho_w g y, Pa
 };
 
@@ -52,9 +55,10 @@ struct State {
   std::vector<double> content_carry;        ///< per node: what rounding lost
   std::vector<double> storage;              ///< per node: sum over its corners, m2/Pa
   std::vector<double> void_volume;          ///< per node: sum over its corners, m2
+  std::vector<double> growth;               ///< per node: of its voids since time zero, m2
   std::vector<double> crack_pressure;       ///< per vertex, Pa
   std::vector<double> crack_saturation;     ///< per vertex, 1
-  std::vector<double> crack_content;        ///< per vertex: excess, m2
+  std::vector<double> crack_content;        ///< per vertex: excess over its present volume, m2
   std::vector<double> crack_content_carry;  ///< per vertex
 };
 
@@ -72,6 +76,9 @@ struct Model {
   mesh::NodeMap pore_nodes;
   PoreProperties pore;
   CrackProperties crack;
+  /// Per triangle: growth of its pores, m2: kept by whoever computes the motion of the rock; empty
+  /// in a rock at rest.
+  std::span<const double> swelling{};
   Conditions conditions;
   State state;
   /// Fluid let in by each condition since time zero, m2.
@@ -114,6 +121,20 @@ void break_joints(Model& model, std::span<const Index> joints, Index group);
 void set_pore_content(Model& model, Index node, CompensatedSum content);
 /// Gives a crack node an excess and derives its pressure and saturation.
 void set_crack_content(Model& model, Index vertex, CompensatedSum content);
+
+/// Brings the growth of the pore nodes at a vertex up to date with the swelling of its triangles;
+/// contents stay, pressures follow.
+void take_swelling(Model& model, Index vertex);
+
+/// What the faces of a broken joint have moved apart since time zero.
+struct CrackOpening {
+  Index joint = 0;
+  std::array<double, 2> opening{};  ///< u_n at the ends, m
+};
+
+/// Gives broken joints new openings: conductances follow from the mean of the ends, (28), volumes
+/// from each end (theory.md section 5). The fluid stays, pressures follow.
+void open_cracks(Model& model, std::span<const CrackOpening> openings);
 
 /// Fluid in pores and cracks, m2: void volume plus excess.
 [[nodiscard]] double fluid_in_place(const Model& model, const Execution& execution);

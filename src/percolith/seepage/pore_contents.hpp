@@ -21,16 +21,18 @@ struct ContentViews {
   double* pressure;
   double* saturation;
   const double* inflow;
-  mesh::Index corners;  ///< slots
+  double* growth;          ///< per node
+  const double* swelling;  ///< per triangle: growth of its pores, m2; null in a rock at rest
+  mesh::Index corners;     ///< slots
   double reference_pressure;
   bool can_empty;
   double dt;
 
   /// Adds `sum` (m2/s) times dt to the contents in slots `first` on, (23), and derives the fluid's
-  /// state, (24).
+  /// state, (24), with the growth (m2) that the nodes have now.
   template <class Lane>
-  PERCOLITH_DEVICE FluidState<typename Lane::Real> advance(mesh::Index first,
-                                                           typename Lane::Real sum) const {
+  PERCOLITH_DEVICE FluidState<typename Lane::Real>
+  advance(mesh::Index first, typename Lane::Real sum, typename Lane::Real grown) const {
     using Real = typename Lane::Real;
     Real value = Lane::load(content + first);
     Real rest = Lane::load(carry + first);
@@ -39,7 +41,7 @@ struct ContentViews {
     Lane::store(carry + first, rest);
     const Real s = Lane::load(storage + first);
     // Padding slots store nothing: keep them from dividing zero by zero.
-    return fluid_state<Real>(value + rest, Real(0.0), select(s > Real(0.0), s, Real(1.0)),
+    return fluid_state<Real>(value + rest, grown, select(s > Real(0.0), s, Real(1.0)),
                              can_empty ? Lane::load(void_volume + first) : Real(1.0),
                              reference_pressure, can_empty);
   }
@@ -75,7 +77,15 @@ private:
     for (const mesh::Index c : corners) {
       sum += views.inflow[c];
     }
-    const auto fluid = views.advance<ScalarLane>(node, sum);
+    double grown = 0.0;
+    if (views.swelling != nullptr) {
+      for (const mesh::Index c : corners) {
+        grown += views.swelling[mesh::triangle_of(c)];
+      }
+      grown *= 1.0 / 3.0;
+      views.growth[node] = grown;
+    }
+    const auto fluid = views.advance<ScalarLane>(node, sum, grown);
     const bool refilled = views.saturation[node] != fluid.saturation;
     for (const mesh::Index c : corners) {
       views.pressure[c] = fluid.pressure;
@@ -91,10 +101,18 @@ private:
   /// Only those that `node` leads.
   void advance(std::span<const mesh::Index> corners, mesh::Index node) const {
     double sum = 0.0;
+    double grown = 0.0;
     for (const mesh::Index c : corners) {
       sum += nodes->leader(c) == node ? views.inflow[c] : 0.0;
+      if (views.swelling != nullptr && nodes->leader(c) == node) {
+        grown += views.swelling[mesh::triangle_of(c)];
+      }
     }
-    const auto fluid = views.advance<ScalarLane>(node, sum);
+    grown *= 1.0 / 3.0;
+    if (views.swelling != nullptr) {
+      views.growth[node] = grown;
+    }
+    const auto fluid = views.advance<ScalarLane>(node, sum, grown);
     for (const mesh::Index c : corners) {
       if (nodes->leader(c) == node) {
         views.pressure[c] = fluid.pressure;
@@ -111,9 +129,17 @@ struct CornerContents {
 
   template <class Lane>
   PERCOLITH_DEVICE void operator()(Lane lane) const {
+    using Real = typename Lane::Real;
+    Real grown(0.0);
+    if (views.swelling != nullptr) {
+      grown = Real(1.0 / 3.0) * Lane::load(views.swelling + lane.first);
+    }
     for (mesh::Index k = 0; k < 3; ++k) {
       const mesh::Index slot = mesh::corner_of(lane.first, k);
-      const auto fluid = views.advance<Lane>(slot, Lane::load(views.inflow + slot));
+      if (views.swelling != nullptr) {
+        Lane::store(views.growth + slot, grown);
+      }
+      const auto fluid = views.advance<Lane>(slot, Lane::load(views.inflow + slot), grown);
       Lane::store(views.pressure + slot, fluid.pressure);
       if (views.can_empty) {
         Lane::store(views.saturation + slot, fluid.saturation);

@@ -11,10 +11,11 @@ template <class StateAt>
 void set_pores(Model& model, const StateAt& state_at) {
   for (const Index node : model.pore_nodes.nodes(model.mesh)) {
     const auto i = static_cast<std::size_t>(node);
-    set_pore_content(model, node,
-                     {excess_of(state_at(model.mesh.place_of(node)), 0.0, model.state.storage[i],
-                                model.state.void_volume[i], model.reference_pressure()),
-                      0.0});
+    set_pore_content(
+        model, node,
+        {excess_of(state_at(model.mesh.place_of(node)), model.state.growth[i],
+                   model.state.storage[i], model.state.void_volume[i], model.reference_pressure()),
+         0.0});
   }
 }
 

@@ -42,6 +42,9 @@ void prescribe(ConditionList& list, Domain on, Index vertex, double factor, doub
 
 void add_boundary(const Setup& setup, const seepage::Model& model, const std::string& name,
                   const BoundaryCondition& boundary, ConditionList& list) {
+  if (!boundary.pressure && !boundary.head && !boundary.flux && !boundary.seepage_face) {
+    return;  // impervious: a condition of the motion alone
+  }
   const mesh::Mesh& mesh = model.mesh;
   const std::string path = "boundary." + name;
   const std::string groups_key = path + ".groups";

@@ -23,9 +23,18 @@ std::vector<material::PoreRock> rock_of_regions(const Setup& setup, const mesh::
   return rock;
 }
 
+/// Whether a fracture is bonded at first, so that no fluid is in it.
+bool is_bonded(const Setup& setup, const FractureGroup& fracture) {
+  return setup.model.physics == Physics::coupled && fracture.bond == Bond::cohesive;
+}
+
 void break_fractures(const Setup& setup, seepage::Model& model) {
   Index group = 0;
   for (const auto& [name, fracture] : setup.fracture) {
+    if (is_bonded(setup, fracture)) {
+      ++group;
+      continue;
+    }
     const std::string key = "fracture." + name + ".groups";
     const std::vector<Index> joints = fracture_joints(model.mesh, fracture.groups, key);
     for (const Index j : joints) {
@@ -60,6 +69,12 @@ seepage::Model build_model(const Setup& setup, const mesh::GmshMesh& file) {
   std::vector<material::Fracture> fracture;
   for (const auto& [name, group] : setup.fracture) {
     fracture.push_back(group.fracture);
+  }
+  if (setup.new_cracks) {
+    fracture.push_back(setup.new_cracks->fracture);
+  }
+  for (material::Fracture& f : fracture) {
+    f.clamped_storage = setup.model.crack_storage == CrackStorage::clamped;
   }
   seepage::Model model = seepage::make_model(
       std::move(mesh), setup.fluid, setup.model.gravity, std::move(rock), std::move(fracture),

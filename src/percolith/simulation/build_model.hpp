@@ -21,7 +21,8 @@ namespace percolith::simulation {
 /// Sets the state at time zero, prescribed pressures included.
 void set_initial_state(const Setup& setup, seepage::Model& model);
 
-/// Names of the fracture tables in the order of the model's fracture groups.
+/// Names of the fracture tables in the order of the model's fracture groups; the group of new
+/// cracks, where there is one, comes after them.
 [[nodiscard]] std::vector<std::string> fracture_table_names(const Setup& setup);
 
 }  // namespace percolith::simulation

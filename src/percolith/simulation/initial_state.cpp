@@ -95,7 +95,10 @@ void set_initial_state(const Setup& setup, seepage::Model& model) {
                     initial.crack_saturation.value_or(initial.saturation),
                     initial.crack_saturation ? "initial.crack_saturation" : "initial.saturation");
   });
-  apply_prescribed(model);
+  // Rock that moves starts in equilibrium with the fluid it holds, before a well presses it.
+  if (setup.model.physics != Physics::coupled) {
+    apply_prescribed(model);
+  }
 }
 
 }  // namespace percolith::simulation

@@ -135,8 +135,9 @@ struct HistoryRow {
   MassBalance balance;
   /// Current rate into the model of each condition, m2/s, by its option path.
   std::map<std::string, double> rate;
-  /// What mechanics has to tell, in the order of the columns; empty in a run of flow alone, where
-  /// the members above are: energies, work, reactions, numbers of broken joints and fragments.
+  bool has_flow = true;  ///< whether the members above mean anything
+  /// What motion has to tell, in the order of the columns; empty in a run of flow alone: energies,
+  /// work, reactions, numbers of broken joints and fragments; of coupled runs cracks and sources.
   std::vector<NamedValue> mechanics;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "percolith/core/vec2.hpp"
+#include "percolith/coupling/options.hpp"
 #include "percolith/material/elastic_rock.hpp"
 #include "percolith/material/fluid.hpp"
 #include "percolith/material/fracture.hpp"
@@ -21,11 +22,21 @@
 // `boundary.left.pressure`), so that an error raised anywhere can name its option.
 namespace percolith::simulation {
 
+using coupling::FluidEnters;
+using coupling::JointStress;
 using material::Plane;
 using seepage::PoreJoints;
 using seepage::SaturationWeight;
-/// What is computed: flow through a rock at rest, or the motion of a dry rock.
-enum class Physics { seepage, mechanics };
+/// What is computed: flow through a rock at rest, the motion of a dry rock, or both together.
+enum class Physics { seepage, mechanics, coupled };
+[[nodiscard]] constexpr bool has_flow(Physics physics) {
+  return physics != Physics::mechanics;
+}
+[[nodiscard]] constexpr bool has_motion(Physics physics) {
+  return physics != Physics::seepage;
+}
+/// Whether the maximum aperture limits only what a crack conducts, or also what it holds.
+enum class CrackStorage { unclamped, clamped };
 /// Whether the joints of a region may break, or its triangles share nodes and stay bonded.
 enum class RockJoints { breakable, elastic };
 /// Whether a fracture is broken from the start, or bonded with strengths of its own.
@@ -49,12 +60,16 @@ struct Model {
   PoreJoints pore_joints = PoreJoints::tied;
   double joint_factor = 100.0;  ///< n of h_j = n k/(mu L_e), for finite joints
   SaturationWeight saturation_weight = SaturationWeight::upstream;
+  JointStress joint_stress = JointStress::effective;
+  FluidEnters fluid_enters = FluidEnters::broken;
+  CrackStorage crack_storage = CrackStorage::unclamped;
   friend bool operator==(const Model&, const Model&) = default;
 };
 
 struct Material {
   std::vector<std::string> regions;  ///< physical surfaces
   material::PoreRock rock;
+  double biot_coefficient = 1.0;  ///< alpha, 1
   material::ElasticRock solid{};
   material::JointStrength strength{};
   RockJoints joints = RockJoints::breakable;
@@ -72,6 +87,12 @@ struct FractureGroup {
   friend bool operator==(const FractureGroup&, const FractureGroup&) = default;
 };
 
+/// What the flow needs to know of cracks that open during the run.
+struct NewCracks {
+  material::Fracture fracture;
+  friend bool operator==(const NewCracks&, const NewCracks&) = default;
+};
+
 /// A condition on boundary edges. Of seepage exactly one of pressure, head, flux, seepage_face is
 /// given; of mechanics one or more of the others that do not contradict each other.
 struct BoundaryCondition {
@@ -87,8 +108,9 @@ struct BoundaryCondition {
   std::optional<Schedule> velocity_x, velocity_y;          ///< m/s
   std::optional<Schedule> traction_x, traction_y;          ///< Pa, on the undeformed edges
   std::optional<Schedule> normal_pressure;                 ///< Pa, follows the deformed edges
-  bool in_situ = false;    ///< carries the traction of the in-situ stress
-  bool absorbing = false;  ///< lets waves leave (Lysmer)
+  bool pressurised = false;  ///< the pressure of the flow presses the rock too
+  bool in_situ = false;      ///< carries the traction of the in-situ stress
+  bool absorbing = false;    ///< lets waves leave (Lysmer)
   friend bool operator==(const BoundaryCondition&, const BoundaryCondition&) = default;
 };
 
@@ -206,6 +228,7 @@ struct Setup {
   material::Fluid fluid;
   std::map<std::string, Material> material;
   std::map<std::string, FractureGroup> fracture;
+  std::optional<NewCracks> new_cracks{};
   std::map<std::string, BoundaryCondition> boundary;
   std::map<std::string, Source> source;
   std::map<std::string, Body> body;

@@ -4,10 +4,24 @@
 #include "percolith/simulation/task.hpp"
 
 namespace percolith::simulation {
+namespace {
+
+std::unique_ptr<Task> make_task(const Setup& setup, const mesh::GmshMesh& mesh) {
+  switch (setup.model.physics) {
+  case Physics::mechanics:
+    return make_solid_task(setup, mesh);
+  case Physics::coupled:
+    return make_coupled_task(setup, mesh);
+  case Physics::seepage:
+    break;
+  }
+  return make_flow_task(setup, mesh);
+}
+
+}  // namespace
 
 Simulation::Simulation(const Setup& setup, const mesh::GmshMesh& mesh)
-    : task_(setup.model.physics == Physics::mechanics ? make_solid_task(setup, mesh)
-                                                      : make_flow_task(setup, mesh)) {}
+    : task_(make_task(setup, mesh)) {}
 
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;

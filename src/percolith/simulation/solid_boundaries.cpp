@@ -27,10 +27,11 @@ Point load_on_edge(const Setup& setup, const BoundaryCondition& b, const mechani
   const double length = std::sqrt(dot(along, along));
   Point force{length * b.traction_x.value_or(Schedule{}).at(t),
               length * b.traction_y.value_or(Schedule{}).at(t)};
-  if (b.normal_pressure) {
+  if (b.normal_pressure || b.pressurised) {
     const Point present =
         along + (displacement(model, edge.corner[1]) - displacement(model, edge.corner[0]));
-    force = force - b.normal_pressure->at(t) * clockwise(present);
+    const Schedule pressure = b.pressurised ? b.pressure.value_or(Schedule{}) : *b.normal_pressure;
+    force = force - pressure.at(t) * clockwise(present);
   }
   if (b.in_situ) {
     const InSitu stress = setup.in_situ.value_or(InSitu{});

@@ -104,13 +104,17 @@ mechanics::ContactProperties contact_properties(const Setup& setup, const mechan
   return result;
 }
 
-SolidStart build_solid(const Setup& setup, const mesh::GmshMesh& file) {
+SolidStart build_solid(const Setup& setup, const mesh::GmshMesh& file,
+                       const std::function<void(mechanics::Model&)>& prepare) {
   mesh::Mesh mesh = mesh::build_mesh(file);
   mechanics::Ingredients ingredients = solid_ingredients(setup, mesh);
   mechanics::Model model = mechanics::make_model(std::move(mesh), std::move(ingredients));
   if (setup.in_situ) {
     mechanics::set_initial_stress(
         model, [&](const Point& p) { return in_situ_stress(*setup.in_situ, p); });
+  }
+  if (prepare) {
+    prepare(model);
   }
   throw_bodies(setup, model);
   mechanics::ContactProperties contact = contact_properties(setup, model);

@@ -5,6 +5,7 @@
 #include "percolith/mechanics/dynamics.hpp"
 #include "percolith/simulation/setup.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,11 @@ struct SolidStart {
 };
 /// Throws InputError, with the option path as key, for what does not fit together, bodies that
 /// overlap at the start among it.
-[[nodiscard]] SolidStart build_solid(const Setup& setup, const mesh::GmshMesh& file);
+/// `prepare` is called with the rock before its fluid, loads and supports are there, once its
+/// stress is set.
+[[nodiscard]] SolidStart
+build_solid(const Setup& setup, const mesh::GmshMesh& file,
+            const std::function<void(mechanics::Model&)>& prepare = nullptr);
 
 /// Names of the kinds of joints: of the material or fracture table they come from.
 [[nodiscard]] std::vector<std::string> joint_kind_names(const Setup& setup);

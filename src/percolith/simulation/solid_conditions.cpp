@@ -187,6 +187,9 @@ void add_boundary_loads(const Setup& setup, const mechanics::Model& model, const
   if (b.normal_pressure) {
     loads.pressure.push_back({edges, *b.normal_pressure});
   }
+  if (b.pressurised) {
+    loads.pressure.push_back({edges, b.pressure.value_or(Schedule{})});
+  }
   if (b.in_situ) {
     for (const Index e : edges) {
       add_in_situ(setup.in_situ.value_or(InSitu{}), model, e, loads);

@@ -170,7 +170,8 @@ MatrixFrame solid_matrix_frame(const SolidRun& run) {
   return frame;
 }
 
-CrackFrame solid_crack_frame(const SolidRun& run) {
+CrackFrame solid_crack_frame(const SolidRun& run, std::vector<Index>* joints,
+                             std::vector<Index>* vertices) {
   const mechanics::Model& model = run.dynamics.model();
   CrackFrame frame;
   std::vector<Index> number(model.mesh.vertex.size(), mesh::none);
@@ -187,10 +188,16 @@ CrackFrame solid_crack_frame(const SolidRun& run) {
       if (point == mesh::none) {
         point = static_cast<Index>(frame.points.size());
         frame.points.push_back(model.mesh.vertex[at(vertex)]);
+        if (vertices != nullptr) {
+          vertices->push_back(vertex);
+        }
       }
       ends[end] = point;
     }
     frame.segments.push_back(ends);
+    if (joints != nullptr) {
+      joints->push_back(j);
+    }
     // Tables of materials are counted first, then those of the fractures.
     frame.group.push_back(std::max(mechanics::owner_of(model, j) - materials, mesh::none));
     fields.add(run, j);
@@ -226,6 +233,9 @@ std::vector<double> probe_values(const mechanics::Model& model,
 std::vector<ProbeSample> read_solid_probes(const SolidRun& run) {
   std::vector<ProbeSample> samples;
   for (const LocatedProbe& probe : run.probes.probes) {
+    if (probe.in == Domain::crack) {
+      continue;
+    }
     ProbeSample sample{probe.name,
                        {"displacement_x_m", "displacement_y_m", "velocity_x_m_per_s",
                         "velocity_y_m_per_s", "stress_xx_Pa", "stress_yy_Pa", "stress_xy_Pa"},

@@ -17,13 +17,15 @@ using mesh::Index;
 
 /// Largest share of the work done on the rock, and of the energy it had, that no term accounts for.
 double energy_error(const mechanics::EnergyBalance& b) {
-  const double scale = std::max({std::abs(b.external), std::abs(b.gravity), b.kinetic, b.elastic,
-                                 b.joint, b.fracture + b.friction + b.damping + b.absorbed});
+  const double scale =
+      std::max({std::abs(b.external), std::abs(b.gravity), std::abs(b.fluid), b.kinetic, b.elastic,
+                b.joint, b.fracture + b.friction + b.damping + b.absorbed});
   return scale > 0.0 ? std::abs(b.residual) / scale : 0.0;
 }
 
+/// `is_wet`: whether there is fluid that does work.
 template <class Named>
-void add_energies(const mechanics::EnergyBalance& b, std::vector<Named>& values) {
+void add_energies(const mechanics::EnergyBalance& b, bool is_wet, std::vector<Named>& values) {
   values.insert(values.end(), {{"kinetic_J_per_m", b.kinetic},
                                {"elastic_J_per_m", b.elastic},
                                {"joint_J_per_m", b.joint},
@@ -33,8 +35,11 @@ void add_energies(const mechanics::EnergyBalance& b, std::vector<Named>& values)
                                {"damping_J_per_m", b.damping},
                                {"absorbed_J_per_m", b.absorbed},
                                {"gravity_J_per_m", b.gravity},
-                               {"external_work_J_per_m", b.external},
-                               {"residual_J_per_m", b.residual}});
+                               {"external_work_J_per_m", b.external}});
+  if (is_wet) {
+    values.push_back({"fluid_work_J_per_m", b.fluid});
+  }
+  values.push_back({"residual_J_per_m", b.residual});
 }
 
 void add_boundaries(const std::vector<BoundaryState>& states, std::vector<NamedValue>& values) {
@@ -63,6 +68,10 @@ void note_peaks(const std::vector<BoundaryState>& states, double time,
       peak.y_time = time;
     }
   }
+}
+
+bool is_wet(const SolidRun& run) {
+  return !run.dynamics.model().pores.biot.empty();
 }
 
 std::int64_t broken_by(const SolidRun& run, BreakMode mode) {
@@ -113,7 +122,8 @@ HistoryRow solid_history_row(SolidRun& run, double step_size) {
   row.time = run.dynamics.model().motion.time;
   row.step = run.summary.steps;
   row.step_size = step_size;
-  add_energies(run.dynamics.energy(run.execution), row.mechanics);
+  row.has_flow = false;
+  add_energies(run.dynamics.energy(run.execution), is_wet(run), row.mechanics);
   row.mechanics.insert(row.mechanics.end(),
                        {{"broken_joints", static_cast<double>(run.broken.count)},
                         {"fragments", static_cast<double>(run.fragments.area.size())},
@@ -165,7 +175,7 @@ Summary solid_summary(const SolidRun& run) {
   dynamics.add_to(hash);
   summary.state_hash = hash.text();
   const mechanics::EnergyBalance balance = dynamics.energy(run.execution);
-  add_energies(balance, summary.mechanics);
+  add_energies(balance, is_wet(run), summary.mechanics);
   const mechanics::Fragments fragments = mechanics::find_fragments(dynamics.model());
   const double largest = fragments.area.empty()
                              ? 0.0

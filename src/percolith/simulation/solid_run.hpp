@@ -40,7 +40,10 @@ struct SolidRun {
 
 /// Fields of the rock and of its broken and softening joints.
 [[nodiscard]] MatrixFrame solid_matrix_frame(const SolidRun& run);
-[[nodiscard]] CrackFrame solid_crack_frame(const SolidRun& run);
+/// `joints` and `vertices` get the numbers of the segments and of the points.
+[[nodiscard]] CrackFrame solid_crack_frame(const SolidRun& run,
+                                           std::vector<mesh::Index>* joints = nullptr,
+                                           std::vector<mesh::Index>* vertices = nullptr);
 [[nodiscard]] std::vector<ProbeSample> read_solid_probes(const SolidRun& run);
 
 /// The fragments as they are now.

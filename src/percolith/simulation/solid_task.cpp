@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/simulation/solid_task.hpp"
+
 #include "percolith/core/error.hpp"
 #include "percolith/simulation/build_model.hpp"
 #include "percolith/simulation/event_clock.hpp"
 #include "percolith/simulation/groups.hpp"
-#include "percolith/simulation/solid_run.hpp"
-#include "percolith/simulation/task.hpp"
 
 #include <fmt/format.h>
 #include <omp.h>
@@ -23,32 +23,6 @@ constexpr std::int64_t steps_between_checks = 200;
 /// The unbalanced force swings while waves pass: rest is where it is small this often in a row.
 constexpr int checks_at_rest = 3;
 
-SolidRun make_run(const Setup& setup, const mesh::GmshMesh& mesh) {
-  require_sensible_intervals(setup);
-  SolidStart start = build_solid(setup, mesh);
-  const mechanics::Model& model = start.dynamics.model();
-  ProbePlaces probes = locate_probes(setup.probe, model.mesh, {});
-  std::vector<mechanics::MotionLimit> limits =
-      mechanics::step_limits(model, start.dynamics.contact_penalty());
-  const auto joints = model.mesh.joint.size();
-  SolidRun run{.setup = setup,
-               .dynamics = std::move(start.dynamics),
-               .execution = Execution(Backend::host, omp_get_max_threads()),
-               .probes = std::move(probes),
-               .fracture_names = fracture_table_names(setup),
-               .kind_names = joint_kind_names(setup),
-               .limits = std::move(limits),
-               .added_mass = start.added_mass,
-               .broken = {std::vector<std::int32_t>(joints, 0),
-                          std::vector<double>(joints, 0.0),
-                          std::vector<double>(joints, 0.0),
-                          {}},
-               .fragments = {},
-               .summary = {}};
-  run.summary.warnings = solid_warnings(run);
-  return run;
-}
-
 /// Triangles of the regions of an excavation.
 std::vector<Index> triangles_of(const mesh::Mesh& mesh, const std::string& name,
                                 const Excavation& excavation) {
@@ -62,13 +36,6 @@ std::vector<Index> triangles_of(const mesh::Mesh& mesh, const std::string& name,
   }
   return triangles;
 }
-
-/// An excavation that is still to come.
-struct Digging {
-  double start = 0.0;
-  double duration = 0.0;
-  std::vector<Index> triangles;
-};
 
 [[noreturn]] void refuse_state(const SolidRun& run) {
   const mechanics::Model& model = run.dynamics.model();
@@ -92,50 +59,75 @@ struct Digging {
                   model.motion.time, run.summary.steps));
 }
 
-class SolidTask : public Task {
-public:
-  SolidTask(const Setup& setup, const mesh::GmshMesh& mesh) : run_(make_run(setup, mesh)) {
-    step_ = solid_step(run_);
-    for (const auto& [name, excavation] : setup.excavation) {
-      diggings_.push_back({excavation.start, excavation.duration,
-                           triangles_of(run_.dynamics.model().mesh, name, excavation)});
-      quiet_after_ = std::max(quiet_after_, excavation.start + excavation.duration);
-    }
-    std::stable_sort(diggings_.begin(), diggings_.end(),
-                     [](const Digging& a, const Digging& b) { return a.start < b.start; });
-  }
+}  // namespace
 
-  [[nodiscard]] CheckReport check() const override { return solid_check(run_); }
-  bool run(Observer& observer, const std::function<bool()>& stop) override;
-  [[nodiscard]] Summary summary() const override { return solid_summary(run_); }
-  [[nodiscard]] const std::vector<std::string>& region_names() const override {
-    return run_.dynamics.model().mesh.region_names;
-  }
-  [[nodiscard]] const std::vector<std::string>& fracture_names() const override {
-    return run_.fracture_names;
-  }
+namespace {
 
-private:
-  [[nodiscard]] double time() const { return run_.dynamics.model().motion.time; }
-  [[nodiscard]] double next_event(double output) const;
-  void dig();
-  double make_step(double event, Observer& observer);
-  bool is_at_rest();
-  void warn_of_energy(Observer& observer);
-  void report_frame(Observer& observer);
-  void report_history(double step_size, Observer& observer);
+/// Those that ask for the motion of the rock.
+std::map<std::string, Probe> probes_in_rock(const Setup& setup) {
+  std::map<std::string, Probe> probes = setup.probe;
+  std::erase_if(probes, [](const auto& entry) { return entry.second.in == Domain::crack; });
+  return probes;
+}
 
-  SolidRun run_;
-  double step_ = 0.0;
-  std::vector<Digging> diggings_;  // that are still to come, by time
-  double quiet_after_ = 0.0;       // s: no load changes later
-  int calm_checks_ = 0;
-};
+}  // namespace
+
+SolidRun make_solid_run(const Setup& setup, SolidStart start) {
+  const mechanics::Model& model = start.dynamics.model();
+  ProbePlaces probes = locate_probes(probes_in_rock(setup), model.mesh, {});
+  std::vector<mechanics::MotionLimit> limits =
+      mechanics::step_limits(model, start.dynamics.contact_penalty());
+  const auto joints = model.mesh.joint.size();
+  SolidRun run{.setup = setup,
+               .dynamics = std::move(start.dynamics),
+               .execution = Execution(Backend::host, omp_get_max_threads()),
+               .probes = std::move(probes),
+               .fracture_names = fracture_table_names(setup),
+               .kind_names = joint_kind_names(setup),
+               .limits = std::move(limits),
+               .added_mass = start.added_mass,
+               .broken = {std::vector<std::int32_t>(joints, 0),
+                          std::vector<double>(joints, 0.0),
+                          std::vector<double>(joints, 0.0),
+                          {}},
+               .fragments = {},
+               .summary = {}};
+  run.summary.warnings = solid_warnings(run);
+  return run;
+}
+
+SolidTask::SolidTask(const Setup& setup, SolidRun run) : run_(std::move(run)) {
+  step_ = solid_step(run_);
+  for (const auto& [name, excavation] : setup.excavation) {
+    diggings_.push_back({excavation.start, excavation.duration,
+                         triangles_of(run_.dynamics.model().mesh, name, excavation)});
+    quiet_after_ = std::max(quiet_after_, excavation.start + excavation.duration);
+  }
+  std::stable_sort(diggings_.begin(), diggings_.end(),
+                   [](const Digging& a, const Digging& b) { return a.start < b.start; });
+}
+
+const char* SolidTask::limited_by() const {
+  return run_.limits.empty() ? "" : run_.limits.front().mechanism.c_str();
+}
+
+double SolidTask::next_break(double t) const {
+  return std::min(run_.dynamics.loads().next_break(t), run_.dynamics.supports().next_break(t));
+}
+
+Frame SolidTask::frame() const {
+  return {time(), run_.summary.steps, solid_matrix_frame(run_), solid_crack_frame(run_)};
+}
+
+void SolidTask::require_valid() const {
+  if (!std::isfinite(run_.dynamics.model().energy.kinetic)) {
+    refuse_state(run_);
+  }
+}
 
 double SolidTask::next_event(double output) const {
   const double now = time();
-  double event = std::min(
-      {output, run_.dynamics.loads().next_break(now), run_.dynamics.supports().next_break(now)});
+  double event = std::min(output, next_break(now));
   if (!diggings_.empty()) {
     event = std::min(event, diggings_.front().start);
   }
@@ -153,11 +145,11 @@ void SolidTask::dig() {
 double SolidTask::make_step(double event, Observer& observer) {
   // Steps of equal length reach the event: changes of the step cost accuracy.
   const double way = event - time();
-  const double steps = std::max(1.0, std::ceil(way / step_ * (1.0 - 1e-9)));
+  const double steps = std::max(1.0, std::ceil(way / longest_step() * (1.0 - 1e-9)));
   const double dt = way / steps;
-  const mechanics::Changes changes = run_.dynamics.advance(dt, run_.execution);
+  const mechanics::Changes changes = advance(dt);
   if (steps == 1.0) {
-    run_.dynamics.model().motion.time = event;
+    set_time(event);
   }
   ++run_.summary.steps;
   if (changes.any()) {
@@ -168,9 +160,7 @@ double SolidTask::make_step(double event, Observer& observer) {
 
 bool SolidTask::is_at_rest() {
   if (!run_.setup.time.stop_ratio || time() <= quiet_after_ ||
-      run_.dynamics.supports().moves(time()) ||
-      run_.dynamics.loads().next_break(time()) < run_.setup.time.end ||
-      run_.dynamics.supports().next_break(time()) < run_.setup.time.end) {
+      run_.dynamics.supports().moves(time()) || next_break(time()) < run_.setup.time.end) {
     return false;
   }
   const bool calm = run_.dynamics.unbalanced_ratio() < *run_.setup.time.stop_ratio;
@@ -181,17 +171,16 @@ bool SolidTask::is_at_rest() {
 void SolidTask::report_frame(Observer& observer) {
   const auto start = std::chrono::steady_clock::now();
   if (run_.setup.output.fields) {
-    observer.on_frame(
-        {time(), run_.summary.steps, solid_matrix_frame(run_), solid_crack_frame(run_)});
+    observer.on_frame(frame());
   }
   observer.on_fragments(time(), fragment_rows(run_));
-  observer.on_probes(time(), read_solid_probes(run_));
+  observer.on_probes(time(), probes());
   run_.execution.book("output", start);
 }
 
 void SolidTask::report_history(double step_size, Observer& observer) {
   const auto start = std::chrono::steady_clock::now();
-  run_.summary.last = solid_history_row(run_, step_size);
+  run_.summary.last = history_row(step_size);
   observer.on_history(run_.summary.last);
   run_.execution.book("output", start);
 }
@@ -221,7 +210,6 @@ bool SolidTask::run(Observer& observer, const std::function<bool()>& stop) {
   static_cast<void>(history.due(0.0));
   report_frame(observer);
   bool stopped = false;
-  const char* limited_by = run_.limits.empty() ? "" : run_.limits.front().mechanism.c_str();
   while (time() < end && !stopped && !run_.summary.reached_rest) {
     dig();
     const double output = clock.next_output(time());
@@ -231,8 +219,8 @@ bool SolidTask::run(Observer& observer, const std::function<bool()>& stop) {
     const bool check = run_.summary.steps % steps_between_checks == 0;
     run_.summary.reached_rest = check && is_at_rest();
     const bool at_output = clock.reaches(time(), output) || stopped || run_.summary.reached_rest;
-    if ((check || at_output) && !std::isfinite(run_.dynamics.model().energy.kinetic)) {
-      refuse_state(run_);
+    if (check || at_output) {
+      require_valid();
     }
     if (history.due(time()) || at_output) {
       report_history(dt, observer);
@@ -240,16 +228,16 @@ bool SolidTask::run(Observer& observer, const std::function<bool()>& stop) {
     if (at_output) {
       report_frame(observer);
     }
-    observer.on_progress({time(), end, dt, run_.summary.steps, 0, limited_by, run_.broken.count});
+    observer.on_progress(
+        {time(), end, dt, run_.summary.steps, iterations(), limited_by(), run_.broken.count});
   }
   warn_of_energy(observer);
   return time() >= end || run_.summary.reached_rest;
 }
 
-}  // namespace
-
 std::unique_ptr<Task> make_solid_task(const Setup& setup, const mesh::GmshMesh& mesh) {
-  return std::make_unique<SolidTask>(setup, mesh);
+  require_sensible_intervals(setup);
+  return std::make_unique<SolidTask>(setup, make_solid_run(setup, build_solid(setup, mesh)));
 }
 
 }  // namespace percolith::simulation

@@ -24,9 +24,11 @@ public:
   [[nodiscard]] virtual const std::vector<std::string>& fracture_names() const = 0;
 };
 
-/// Flow through a rock at rest, and motion of a dry rock. Both throw InputError as the constructor
-/// of `Simulation` does.
+/// Flow through a rock at rest, motion of a dry rock, and both coupled. They throw InputError as
+/// the constructor of `Simulation` does.
 [[nodiscard]] std::unique_ptr<Task> make_flow_task(const Setup& setup, const mesh::GmshMesh& mesh);
 [[nodiscard]] std::unique_ptr<Task> make_solid_task(const Setup& setup, const mesh::GmshMesh& mesh);
+[[nodiscard]] std::unique_ptr<Task> make_coupled_task(const Setup& setup,
+                                                      const mesh::GmshMesh& mesh);
 
 }  // namespace percolith::simulation

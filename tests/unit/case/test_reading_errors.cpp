@@ -75,9 +75,10 @@ TEST(ReadingErrors, NoSuchChoice) {
 }
 
 TEST(ReadingErrors, AnOptionOfCouplingIsUnknown) {
-  EXPECT_EQ(error_set({"material.rock.biot_coefficient=0.8"}),
-            "--set: error: material.rock.biot_coefficient: unknown option; allowed: \"regions\", "
-            "\"permeability\", \"porosity\", \"biot_modulus\"");
+  EXPECT_EQ(
+      error_set({"material.rock.skempton_coefficient=0.8"}),
+      "--set: error: material.rock.skempton_coefficient: unknown option; allowed: \"regions\", "
+      "\"permeability\", \"porosity\", \"biot_modulus\"");
 }
 
 TEST(ReadingErrors, UnknownOptionsNameWhatThePhysicsHasOnly) {
@@ -114,7 +115,7 @@ TEST(ReadingErrors, ChoicesAreThoseOfThePhysics) {
             "--set: error: time.scheme = \"implict\": no such choice; allowed: \"explicit\"");
   EXPECT_EQ(mechanics_error({"probe.a.point=[0, 0]", "probe.a.in=crack"}),
             "--set: error: probe.a.in = \"crack\": has no effect here: it needs model.physics = "
-            "\"seepage\"");
+            "\"seepage\" or \"coupled\"");
 }
 
 TEST(ReadingErrors, WholeNumbers) {

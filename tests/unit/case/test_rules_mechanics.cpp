@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/case/applies_physics.hpp"
+
 #include <gmock/gmock.h>
 
 #include "unit/case/mechanics_case.hpp"
@@ -33,23 +35,26 @@ TEST(RulesOfMechanics, TheSmallCaseIsSound) {
 TEST(RulesOfMechanics, Physics) {
   EXPECT_EQ(mechanics_error({"model.physics=mechanic"}),
             "--set: error: model.physics = \"mechanic\": no such choice; allowed: \"seepage\", "
-            "\"mechanics\"");
+            "\"mechanics\", \"coupled\"");
   EXPECT_EQ(mechanics_error({"model.plane=stresses"}),
             "--set: error: model.plane = \"stresses\": no such choice; allowed: \"strain\", "
             "\"stress\"");
 }
 
 TEST(RulesOfMechanics, OptionsOfSeepageHaveNoEffect) {
-  const std::string needed = "model.physics = \"seepage\"";
+  const std::string needed(needs_flow);
   for (const std::string setting :
        {"model.head_datum = 1", "model.joint_factor = 3", "material.rock.permeability = 1e-15",
         "material.rock.porosity = 0.1", "material.rock.biot_modulus = 10",
         "fracture.fault.initial_aperture = 0.001", "fracture.fault.minimum_aperture = 0.001",
         "fracture.fault.maximum_aperture = 0.001", "fracture.fault.transmissivity = 1e-12",
         "fracture.fault.exchange = 1e-06", "boundary.base.pressure = 1", "boundary.base.head = 1",
-        "boundary.base.flux = 1", "boundary.base.seepage_face = 1", "time.initial_step = 1",
-        "time.maximum_step = 1", "time.tolerance = 0.1"}) {
+        "boundary.base.flux = 1", "boundary.base.seepage_face = 1"}) {
     EXPECT_EQ(mechanics_error({fault, setting}), no_effect(setting, needed));
+  }
+  for (const std::string setting :
+       {"time.initial_step = 1", "time.maximum_step = 1", "time.tolerance = 0.1"}) {
+    EXPECT_EQ(mechanics_error({setting}), no_effect(setting, std::string(needs_flow_alone)));
   }
   EXPECT_EQ(mechanics_error({"model.pore_joints=finite"}),
             no_effect("model.pore_joints = \"finite\"", needed));
@@ -60,7 +65,7 @@ TEST(RulesOfMechanics, OptionsOfSeepageHaveNoEffect) {
 }
 
 TEST(RulesOfMechanics, TablesOfSeepageHaveNoEffect) {
-  const std::string needed = "model.physics = \"seepage\"";
+  const std::string needed(needs_flow);
   EXPECT_EQ(mechanics_error({"fluid.density=900"}), no_effect("fluid", needed));
   EXPECT_EQ(mechanics_error({"initial.pressure=0"}), no_effect("initial", needed));
   EXPECT_EQ(mechanics_error({"source.well={point=[0, 0], rate=1}"}),
@@ -68,7 +73,7 @@ TEST(RulesOfMechanics, TablesOfSeepageHaveNoEffect) {
 }
 
 TEST(RulesOfMechanics, ItsOptionsHaveNoEffectInSeepage) {
-  const std::string needed = "model.physics = \"mechanics\"";
+  const std::string needed(needs_motion);
   const std::string exchange = "fracture.fault={groups=[\"f\"], initial_aperture=1e-4, exchange=1}";
   for (const std::string option : {"material.rock.density",
                                    "material.rock.young_modulus",
@@ -117,7 +122,7 @@ TEST(RulesOfMechanics, ItsOptionsHaveNoEffectInSeepage) {
 }
 
 TEST(RulesOfMechanics, ItsTablesHaveNoEffectInSeepage) {
-  const std::string needed = "model.physics = \"mechanics\"";
+  const std::string needed(needs_motion);
   EXPECT_EQ(error_set({"body.a={regions=[\"rock\"], rigid=true}"}), no_effect("body.a", needed));
   EXPECT_EQ(error_set({"point_force.a={point=[0, 0], force_x=1}"}),
             no_effect("point_force.a", needed));
@@ -412,11 +417,13 @@ TEST(RulesOfMechanics, Contact) {
 
 TEST(RulesOfMechanics, Time) {
   EXPECT_EQ(mechanics_error({"time.scheme=implicit"}),
-            "--set: error: time.scheme = \"implicit\": mechanics is advanced explicitly; allowed: "
+            "--set: error: time.scheme = \"implicit\": the motion of rock is advanced explicitly; "
+            "allowed: "
             "\"explicit\", or none");
-  EXPECT_EQ(mechanics_error({"time.scheme=steady"}),
-            "--set: error: time.scheme = \"steady\": mechanics is advanced explicitly; allowed: "
-            "\"explicit\", or none");
+  EXPECT_EQ(
+      mechanics_error({"time.scheme=steady"}),
+      "--set: error: time.scheme = \"steady\": the motion of rock is advanced explicitly; allowed: "
+      "\"explicit\", or none");
   EXPECT_EQ(mechanics_error({"time.end="}),
             "case.toml:25:2: error: time.end: required but missing: the time at which the run "
             "ends; allowed: a finite number > 0 s");

@@ -93,6 +93,7 @@ TEST(Summary, TellsWhyARunEndedEarly) {
 TEST(Summary, OfMechanicsHasItsNamedResultsAndNoneOfFlow) {
   simulation::Summary mechanics = summary();
   mechanics.reached_rest = true;
+  mechanics.last.has_flow = false;
   mechanics.mechanics = {{"energy_error", 1e-4},
                          {"broken_joints", 3},
                          {"b_value", std::numeric_limits<double>::quiet_NaN()}};

@@ -72,6 +72,7 @@ TEST(History, OfMechanicsHasItsOwnColumnsOnly) {
   mechanics.time = 2.5;
   mechanics.step = 4;
   mechanics.step_size = 0.5;
+  mechanics.has_flow = false;
   mechanics.mechanics = {{"kinetic_J_per_m", 0.25}, {"boundary.a,b.reaction_x_N_per_m", -3}};
   EXPECT_EQ(history_header(mechanics),
             "time_s,step,step_size_s,kinetic_J_per_m,\"boundary.a,b.reaction_x_N_per_m\"\n");

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/coupling/coupled_step.hpp"
+
+#include "percolith/core/error.hpp"
+#include "percolith/coupling/breakage.hpp"
+#include "percolith/coupling/motion_to_volume.hpp"
+#include "percolith/coupling/pressure_to_force.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace percolith::coupling {
+
+CoupledStep::CoupledStep(CoupledModel& model, double pore_limit)
+    : model_(&model), pore_limit_(pore_limit), pores_(model.water, seepage::Fields::pores),
+      cracks_(std::make_unique<seepage::ImplicitFlow>(model.water, seepage::Network::cracks)) {}
+
+mechanics::Changes CoupledStep::advance(double dt, Execution& execution) {
+  apply_pressures(*model_);
+  mechanics::Changes changes = model_->rock.advance(dt, execution);
+  const auto start = std::chrono::steady_clock::now();
+  if (!open_network(*model_, changes).empty()) {
+    pores_.network_changed(model_->water);
+    cracks_ = std::make_unique<seepage::ImplicitFlow>(model_->water, seepage::Network::cracks);
+  }
+  execution.book("breakage", start);
+  take_volumes(*model_, execution);
+  flow(dt, execution);
+  return changes;
+}
+
+void CoupledStep::flow(double dt, Execution& execution) {
+  seepage::Model& water = model_->water;
+  const double t = water.state.time;
+  bookings_.clear();
+  iterations_ = 0;
+  const auto start = std::chrono::steady_clock::now();
+  if (!water.cracks.broken_joints().empty()) {
+    flow_in_cracks(t, dt, 0, execution);
+  }
+  execution.book("crack flow", start);
+  flow_in_pores(t, dt, execution);
+  seepage::book_step(water, bookings_, dt);
+  water.state.time = t + dt;
+}
+
+void CoupledStep::flow_in_cracks(double t, double dt, int halvings, Execution& execution) {
+  constexpr int most_halvings = 12;
+  cracks_->refresh(model_->water);
+  if (cracks_->attempt(model_->water, t, dt, execution)) {
+    iterations_ += cracks_->iterations();
+    leaked_ += cracks_->inflow_of_pores(dt);
+    cracks_->apply(model_->water);
+    const auto booked = cracks_->bookings();
+    bookings_.insert(bookings_.end(), booked.begin(), booked.end());
+    return;
+  }
+  if (halvings == most_halvings) {
+    throw SolverError(fmt::format(
+        "the flow in the cracks found no solution at time {:.9g} s even with a step of {:.3g} s; "
+        "the results up to the last output are kept. Look for a rate that takes more fluid than "
+        "there is, or extreme apertures",
+        t, dt));
+  }
+  flow_in_cracks(t, 0.5 * dt, halvings + 1, execution);
+  flow_in_cracks(t + 0.5 * dt, 0.5 * dt, halvings + 1, execution);
+}
+
+void CoupledStep::flow_in_pores(double t, double dt, Execution& execution) {
+  const double steps = std::max(1.0, std::ceil(dt / pore_limit_));
+  const double part = dt / steps;
+  for (double k = 0.0; k < steps; k += 1.0) {
+    pores_.step(model_->water, t + k * part, part, execution, bookings_);
+  }
+}
+
+}  // namespace percolith::coupling

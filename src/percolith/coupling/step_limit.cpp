@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/coupling/step_limit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace percolith::coupling {
+namespace {
+
+double largest_exchange(const seepage::Model& water) {
+  double most = 0.0;
+  for (const material::Fracture& f : water.fracture) {
+    most = std::max(most, f.exchange);
+  }
+  return most;
+}
+
+double length(const Point& a, const Point& b) {
+  return std::sqrt(dot(b - a, b - a));
+}
+
+double pore_limit(const seepage::Model& water) {
+  const double exchange = largest_exchange(water);
+  double least = std::numeric_limits<double>::infinity();
+  const auto joint_conductance = [&](Index j) {
+    return water.pore.joint.empty() ? 0.0 : water.pore.joint[at(j)];
+  };
+  std::vector<double> across(at(water.mesh.corners()), 0.0);
+  for (Index j = 0; j < water.mesh.joints(); ++j) {
+    for (const auto& side : water.mesh.joint[at(j)].corner) {
+      for (const Index corner : side) {
+        across[at(corner)] += joint_conductance(j);
+      }
+    }
+  }
+  for (Index t = 0; t < water.mesh.triangles(); ++t) {
+    const auto p = water.mesh.triangle_points(t);
+    for (Index k = 0; k < 3; ++k) {
+      const Index corner = mesh::corner_of(t, k);
+      const Index before = mesh::corner_of(t, (k + 2) % 3);
+      const double edges =
+          length(p[at(k)], p[at((k + 1) % 3)]) + length(p[at((k + 2) % 3)], p[at(k)]);
+      const double sum = std::abs(water.pore.conductance[at(corner)]) +
+                         std::abs(water.pore.conductance[at(before)]) + across[at(corner)] +
+                         0.5 * exchange * edges;
+      if (sum > 0.0) {
+        least = std::min(least, water.pore.storage[at(corner)] / sum);
+      }
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+StepLimit::StepLimit(const CoupledModel& model) : pores_(pore_limit(model.water)) {
+  const mechanics::Model& rock = model.rock.model();
+  const auto penalty = model.rock.contact_penalty();
+  for (Index t = 0; t < rock.mesh.triangles(); ++t) {
+    triangle_.push_back(mechanics::frequencies(rock, t, penalty.empty() ? 0.0 : penalty[at(t)]));
+  }
+  const auto limits = mechanics::step_limits(rock, penalty);
+  if (!limits.empty()) {
+    rock_ = limits.back().step;
+  }
+}
+
+double StepLimit::motion(const CoupledModel& model) const {
+  const mechanics::Model& rock = model.rock.model();
+  const seepage::Model& water = model.water;
+  // Half the length of each joint at a crack node pushes on a corner of either side.
+  std::map<Index, double> pushed;  // per crack node: sum over its corners, m
+  for (const mechanics::PressedFaces& faces : rock.pressed) {
+    for (const Index v : rock.mesh.joint[at(faces.joint)].vertex) {
+      pushed[v] += rock.mesh.joint_length(faces.joint);
+    }
+  }
+  std::map<Index, double> stiffness;  // per corner, N/m per m
+  for (const mechanics::PressedFaces& faces : rock.pressed) {
+    const mesh::Joint& joint = rock.mesh.joint[at(faces.joint)];
+    for (std::size_t end = 0; end < 2; ++end) {
+      const Index v = joint.vertex[end];
+      const double k = 0.5 * rock.mesh.joint_length(faces.joint) * pushed[v] *
+                       water.fluid.bulk_modulus / water.crack.void_volume[at(v)];
+      stiffness[joint.corner[0][end]] += k;
+      stiffness[joint.corner[1][end]] += k;
+    }
+  }
+  double step = rock_;
+  for (const auto& [corner, k] : stiffness) {
+    const Index t = mesh::triangle_of(corner);
+    const double inverse_mass = rock.triangles.inverse_mass[at(t)];
+    if (inverse_mass > 0.0) {
+      step = std::min(step, mechanics::stable_step(rock, triangle_[at(t)], k * inverse_mass));
+    }
+  }
+  return step;
+}
+
+}  // namespace percolith::coupling

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/mechanics/pressed_faces.hpp"
+
+#include "percolith/mechanics/build.hpp"
+#include "percolith/mechanics/joint.hpp"
+
+#include <algorithm>
+
+namespace percolith::mechanics {
+namespace {
+
+JointPlace<double> place_of(const Model& model, Index j, double back) {
+  const mesh::Joint& joint = model.mesh.joint[at(j)];
+  std::array<std::array<Point, 2>, 2> u;
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (std::size_t end = 0; end < 2; ++end) {
+      const auto c = at(joint.corner[side][end]);
+      u[side][end] = {model.motion.ux[c] - back * model.motion.vx[c],
+                      model.motion.uy[c] - back * model.motion.vy[c]};
+    }
+  }
+  return joint_place(Point{model.joints.ex[at(j)], model.joints.ey[at(j)]}, u);
+}
+
+std::array<double, 2> openings_of(const JointPlace<double>& place) {
+  return {dot(place.apart[0], place.across), dot(place.apart[1], place.across)};
+}
+
+struct MeasureFaces {
+  Model* model;
+
+  void operator()(ScalarLane lane) const {
+    PressedFaces& faces = model->pressed[at(lane.first)];
+    const JointPlace<double> place = place_of(*model, faces.joint, 0.0);
+    faces.across = place.across;
+    faces.opening = openings_of(place);
+  }
+};
+
+struct PressFaces {
+  Model* model;
+
+  void operator()(ScalarLane lane, LaneSums<1>& sums) const {
+    PressedFaces& faces = model->pressed[at(lane.first)];
+    const double half = 0.5 * model->mesh.joint_length(faces.joint);
+    // Where nothing else sets the force of a joint the one of the last step still stands there.
+    const bool alone = model->joints.state[at(faces.joint)] == JointState::broken;
+    double* out = model->joints.force.data() + force_slot(faces.joint);
+    double work = 0.0;
+    for (std::size_t end = 0; end < 2; ++end) {
+      const Point push = -half * faces.pressure[end] * faces.across;
+      out[0] = (alone ? 0.0 : out[0]) + push.x;
+      out[block_width] = (alone ? 0.0 : out[block_width]) + push.y;
+      out += 2 * block_width;
+      work += (faces.last_pressure[end] + faces.pressure[end]) *
+              (faces.opening[end] - faces.last_opening[end]);
+    }
+    faces.last_pressure = faces.pressure;
+    faces.last_opening = faces.opening;
+    sums.add(0, lane, 0.5 * half * work);
+  }
+};
+
+}  // namespace
+
+void add_pressed(Model& model, std::span<const Index> joints) {
+  for (const Index j : joints) {
+    PressedFaces faces{.joint = j};
+    // The first pressure acts from half a step ago on.
+    faces.last_opening = openings_of(place_of(model, j, model.motion.last_step));
+    model.pressed.push_back(faces);
+  }
+  std::sort(model.pressed.begin(), model.pressed.end(),
+            [](const PressedFaces& a, const PressedFaces& b) { return a.joint < b.joint; });
+}
+
+void measure_faces(Model& model, Execution& execution) {
+  execution.for_each("crack openings", static_cast<Index>(model.pressed.size()),
+                     MeasureFaces{&model});
+}
+
+void press_faces(Model& model, Execution& execution) {
+  if (model.pressed.empty()) {
+    return;
+  }
+  const auto totals = execution.sum_each<1>(
+      "crack pressure", static_cast<Index>(model.pressed.size()), PressFaces{&model});
+  model.energy.fluid_work += totals.sum[0];
+}
+
+double work_on_faces_since(const Model& model, double back) {
+  double work = 0.0;
+  for (const PressedFaces& faces : model.pressed) {
+    const auto opening = openings_of(place_of(model, faces.joint, back));
+    for (std::size_t end = 0; end < 2; ++end) {
+      work += 0.5 * model.mesh.joint_length(faces.joint) * faces.last_pressure[end] *
+              (opening[end] - faces.last_opening[end]);
+    }
+  }
+  return work;
+}
+
+}  // namespace percolith::mechanics

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/core/execution.hpp"
+#include "percolith/mechanics/model.hpp"
+
+#include <span>
+
+namespace percolith::mechanics {
+
+/// Lets fluid press the faces of further joints, with no pressure at first.
+void add_pressed(Model& model, std::span<const Index> joints);
+
+/// Measures opening (m) and direction of all joints that fluid presses, in the present places: what
+/// side 1 has moved away from side 0 at both ends across the joint, negative where faces overlap.
+/// In-situ stress does not count.
+void measure_faces(Model& model, Execution& execution);
+
+/// Adds the forces of the fluid to those of the joints, p L/2 at each end of each face (37), and
+/// books their work since the last step. The pressures are those of the present places, which have
+/// been measured.
+void press_faces(Model& model, Execution& execution);
+
+/// Work of the present pressures from the places measured last to those of `back` (s), as
+/// `joint_points` takes it, J/m.
+[[nodiscard]] double work_on_faces_since(const Model& model, double back);
+
+}  // namespace percolith::mechanics

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/mechanics/wet_joints.hpp"
+
+#include "percolith/mechanics/joint_points.hpp"
+
+namespace percolith::mechanics {
+
+WetJointForces::WetJointForces(Model& model, const JointTable& table)
+    : joints_(model, table), pores_{
+                                 model.pores.pressure.data(),
+                                 model.pores.joint_share.data(),
+                                 model.joints.slot.data(),
+                                 {model.pores.push[0].data(), model.pores.push[1].data()},
+                                 {model.pores.opening[0].data(), model.pores.opening[1].data()}} {}
+
+double work_in_joints_since(const Model& model, const Execution& execution, double back) {
+  if (model.pores.joint_share.empty()) {
+    return 0.0;
+  }
+  return execution.sum(model.mesh.joints(), [&](Index j) {
+    const auto i = at(j);
+    if (model.pores.push[0][i] == 0.0 && model.pores.push[1][i] == 0.0) {
+      return 0.0;
+    }
+    const JointPoints points = joint_openings(model, j, back);
+    double work = 0.0;
+    for (std::size_t g = 0; g < 2; ++g) {
+      work += model.pores.push[g][i] * (points.opening[g] - model.pores.opening[g][i]);
+    }
+    return 0.5 * model.mesh.joint_length(j) * work;
+  });
+}
+
+void leave_pores(Model& model, Index joint) {
+  if (model.pores.joint_share.empty()) {
+    return;
+  }
+  const JointPoints points = joint_openings(model, joint);
+  for (std::size_t g = 0; g < 2; ++g) {
+    // The last force acts on from the last places to half a step further.
+    const double path = 0.5 * (points.opening[g] - model.pores.opening[g][at(joint)]);
+    model.energy.fluid_work +=
+        0.5 * model.mesh.joint_length(joint) * model.pores.push[g][at(joint)] * path;
+  }
+  model.pores.joint_share[at(joint)] = 0.0;
+  for (auto& push : model.pores.push) {
+    push[at(joint)] = 0.0;
+  }
+}
+
+}  // namespace percolith::mechanics

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/core/error.hpp"
+#include "percolith/coupling/build.hpp"
+#include "percolith/seepage/flow_graph.hpp"
+#include "percolith/seepage/steady_flow.hpp"
+#include "percolith/simulation/balance.hpp"
+#include "percolith/simulation/build_model.hpp"
+#include "percolith/simulation/check_report.hpp"
+#include "percolith/simulation/coupled_run.hpp"
+#include "percolith/simulation/event_clock.hpp"
+#include "percolith/simulation/groups.hpp"
+#include "percolith/simulation/run.hpp"
+#include "percolith/simulation/solid_task.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace percolith::simulation {
+namespace {
+
+using mesh::Index;
+
+/// Biot coefficient of each region of the mesh.
+std::vector<double> biot_of_regions(const Setup& setup, const mesh::Mesh& mesh) {
+  std::vector<double> biot;
+  for (const std::string& name : material_of_regions(setup, mesh)) {
+    biot.push_back(setup.material.at(name).biot_coefficient);
+  }
+  return biot;
+}
+
+/// Fracture group of the flow that each joint belongs to once fluid enters: its own fracture table,
+/// or else that of new cracks.
+std::vector<Index> groups_of_joints(const Setup& setup, const mesh::Mesh& mesh) {
+  std::vector<Index> group(mesh.joint.size(), static_cast<Index>(setup.fracture.size()));
+  Index number = 0;
+  for (const auto& [name, fracture] : setup.fracture) {
+    for (const Index j : fracture_joints(mesh, fracture.groups, "fracture." + name + ".groups")) {
+      group[at(j)] = number;
+    }
+    ++number;
+  }
+  return group;
+}
+
+WaterRun make_water(const Setup& setup, const mesh::GmshMesh& mesh) {
+  seepage::Model model = build_model(setup, mesh);
+  require_datum(setup, model);
+  if (setup.initial.steady) {
+    Execution serial(Backend::serial);
+    seepage::solve_steady(model, serial);
+  }
+  std::map<std::string, Probe> probes = setup.probe;
+  ProbeReader reader(probes, model, setup.model.head_datum);
+  return {std::move(model), std::move(reader)};
+}
+
+class CoupledTask : public SolidTask {
+public:
+  CoupledTask(const Setup& setup, SolidRun rock, WaterRun water)
+      : SolidTask(setup, std::move(rock)),
+        water_(std::move(water)), model_{run_.dynamics,
+                                         water_.model,
+                                         {setup.model.fluid_enters,
+                                          groups_of_joints(setup, water_.model.mesh)}},
+        limit_(model_), scheme_(model_, setup.time.safety * limit_.pores()) {
+    water_.in_place_at_start = seepage::fluid_in_place(water_.model, run_.execution);
+    water_.crack_fluid_at_start = crack_fluid(water_.model);
+    const auto more = model_warnings(setup, water_.model);
+    run_.summary.warnings.insert(run_.summary.warnings.end(), more.begin(), more.end());
+    warn_of_biot(setup);
+  }
+
+  [[nodiscard]] CheckReport check() const override;
+  [[nodiscard]] Summary summary() const override;
+
+protected:
+  mechanics::Changes advance(double dt) override {
+    mechanics::Changes changes = scheme_.advance(dt, run_.execution);
+    limit_now_ = limit_.motion(model_);
+    return changes;
+  }
+  [[nodiscard]] double longest_step() const override {
+    return std::min(step_, run_.setup.time.safety * limit_now_);
+  }
+  [[nodiscard]] const char* limited_by() const override {
+    return run_.setup.time.safety * limit_now_ < step_ ? "fluid in cracks"
+                                                       : SolidTask::limited_by();
+  }
+  [[nodiscard]] double next_break(double t) const override {
+    return std::min(SolidTask::next_break(t), water_.model.conditions.next_break(t));
+  }
+  void set_time(double t) override {
+    SolidTask::set_time(t);
+    water_.model.state.time = t;
+  }
+  [[nodiscard]] Frame frame() const override {
+    return {time(), run_.summary.steps, coupled_matrix_frame(run_, water_),
+            coupled_crack_frame(run_, water_)};
+  }
+  [[nodiscard]] std::vector<ProbeSample> probes() const override {
+    return read_coupled_probes(run_, water_);
+  }
+  HistoryRow history_row(double step_size) override {
+    run_.summary.throughput = water_.model.rate_in;
+    return coupled_history_row(run_, water_, scheme_.leaked(), step_size);
+  }
+  void require_valid() const override;
+  [[nodiscard]] std::int64_t iterations() const override { return scheme_.iterations(); }
+
+private:
+  void warn_of_biot(const Setup& setup);
+
+  WaterRun water_;
+  coupling::CoupledModel model_;
+  coupling::StepLimit limit_;
+  coupling::CoupledStep scheme_;
+  double limit_now_ = limit_.motion(model_);  // s
+};
+
+void CoupledTask::warn_of_biot(const Setup& setup) {
+  for (const auto& [name, material] : setup.material) {
+    if (material.biot_coefficient < material.rock.porosity) {
+      run_.summary.warnings.push_back(fmt::format(
+          "material.{}.biot_coefficient = {:g} is below the porosity of {:g}, which no rock is: "
+          "the grains would have to be softer than the rock",
+          name, material.biot_coefficient, material.rock.porosity));
+    }
+  }
+}
+
+CheckReport CoupledTask::check() const {
+  CheckReport report = SolidTask::check();
+  const CheckReport flow = make_check_report(run_.setup, water_.model, {});
+  report.pore_nodes = flow.pore_nodes;
+  report.crack_nodes = flow.crack_nodes;
+  report.unknowns = flow.crack_nodes;
+  report.mechanics.emplace_back("explicit steps of the pores per step of the motion",
+                                static_cast<std::int64_t>(std::ceil(
+                                    longest_step() / (run_.setup.time.safety * limit_.pores()))));
+  if (limit_now_ < limit_.rock() && !report.limits.empty()) {
+    // The stiffness of the fluid adds to all others.
+    report.limits.back().step = limit_now_;
+  }
+  return report;
+}
+
+Summary CoupledTask::summary() const {
+  Summary summary = SolidTask::summary();
+  StateHash hash;
+  run_.dynamics.add_to(hash);
+  summary.state_hash = hash.text() + hash_of(water_.model.state);
+  for (const char* const name : {"crack_length_m", "filled_crack_length_m", "mean_aperture_m",
+                                 "crack_volume_m2", "crack_fluid_m2", "leaked_m2"}) {
+    const auto& values = summary.last.mechanics;
+    const auto found = std::find_if(values.begin(), values.end(),
+                                    [&](const NamedValue& value) { return value.first == name; });
+    if (found != values.end()) {
+      summary.mechanics.emplace_back(found->first, found->second);
+    }
+  }
+  return summary;
+}
+
+void CoupledTask::require_valid() const {
+  SolidTask::require_valid();
+  if (const auto place = find_invalid(water_.model)) {
+    throw SolverError(fmt::format(
+        "the {} is not a number at time {:.9g} s (step {}); the results up to the last output are "
+        "kept. Look for extreme or contradictory values near that place, or lower time.safety",
+        *place, time(), run_.summary.steps));
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Task> make_coupled_task(const Setup& setup, const mesh::GmshMesh& mesh) {
+  require_sensible_intervals(setup);
+  WaterRun water = make_water(setup, mesh);
+  const std::vector<double> biot = biot_of_regions(setup, water.model.mesh);
+  SolidStart start = build_solid(setup, mesh, [&](mechanics::Model& rock) {
+    coupling::moisten(rock, water.model, biot, setup.model.joint_stress);
+  });
+  return std::make_unique<CoupledTask>(setup, make_solid_run(setup, std::move(start)),
+                                       std::move(water));
+}
+
+}  // namespace percolith::simulation

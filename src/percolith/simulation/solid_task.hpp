@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "percolith/simulation/solid_run.hpp"
+#include "percolith/simulation/task.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace percolith::simulation {
+
+/// An excavation that is still to come.
+struct Digging {
+  double start = 0.0;                  ///< s
+  double duration = 0.0;               ///< s
+  std::vector<mesh::Index> triangles;  ///< that are taken out
+};
+
+/// A rock ready to move, and the loop over its steps, outputs and history. Physics that adds to the
+/// motion of a dry rock overrides how a step is made and what is told of it.
+class SolidTask : public Task {
+public:
+  SolidTask(const Setup& setup, SolidRun run);
+
+  [[nodiscard]] CheckReport check() const override { return solid_check(run_); }
+  bool run(Observer& observer, const std::function<bool()>& stop) override;
+  [[nodiscard]] Summary summary() const override { return solid_summary(run_); }
+  [[nodiscard]] const std::vector<std::string>& region_names() const override {
+    return run_.dynamics.model().mesh.region_names;
+  }
+  [[nodiscard]] const std::vector<std::string>& fracture_names() const override {
+    return run_.fracture_names;
+  }
+
+protected:
+  /// One step of `dt` seconds.
+  virtual mechanics::Changes advance(double dt) {
+    return run_.dynamics.advance(dt, run_.execution);
+  }
+  /// Longest step that may be taken now, s.
+  [[nodiscard]] virtual double longest_step() const { return step_; }
+  /// What rules that step.
+  [[nodiscard]] virtual const char* limited_by() const;
+  /// The first time after `t` at which something from outside jumps or bends, s.
+  [[nodiscard]] virtual double next_break(double t) const;
+  /// Puts the clock on `t` (s), from which it differs by round-off.
+  virtual void set_time(double t) { run_.dynamics.model().motion.time = t; }
+  [[nodiscard]] virtual Frame frame() const;
+  [[nodiscard]] virtual std::vector<ProbeSample> probes() const { return read_solid_probes(run_); }
+  virtual HistoryRow history_row(double step_size) { return solid_history_row(run_, step_size); }
+  /// Throws SolverError where the state is no longer one of numbers.
+  virtual void require_valid() const;
+  [[nodiscard]] virtual std::int64_t iterations() const { return 0; }
+
+  [[nodiscard]] double time() const { return run_.dynamics.model().motion.time; }
+  SolidRun run_;
+  double step_ = 0.0;  // s, at most
+
+private:
+  [[nodiscard]] double next_event(double output) const;
+  void dig();
+  double make_step(double event, Observer& observer);
+  bool is_at_rest();
+  void warn_of_energy(Observer& observer);
+  void report_frame(Observer& observer);
+  void report_history(double step_size, Observer& observer);
+
+  std::vector<Digging> diggings_;  // that are still to come, by time
+  double quiet_after_ = 0.0;       // s: no load changes later
+  int calm_checks_ = 0;
+};
+
+/// A rock that is ready to move, `start`, with what reports need of it.
+[[nodiscard]] SolidRun make_solid_run(const Setup& setup, SolidStart start);
+
+}  // namespace percolith::simulation
