@@ -183,7 +183,9 @@ private:
     Lane::store(past_slip_[g] + j, now.slip);
     Lane::store(past_normal_[g] + j, now.traction.normal);
     Lane::store(past_shear_[g] + j, now.traction.shear);
-    Lane::store(past_slope_[g] + j, now.slope);
+    // Whole points have no memory, whether a neighbour in their block is damaged or not.
+    Lane::store(past_slope_[g] + j,
+                select(now.damage > typename Lane::Real(0.0), now.slope, typename Lane::Real(0.0)));
     Lane::store(past_friction_[g] + j, now.friction);
     return before;
   }

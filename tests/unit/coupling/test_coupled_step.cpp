@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/mechanics/build.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "unit/support/coupled_model.hpp"
+
+namespace percolith::coupling {
+namespace {
+
+using test::at;
+using test::Coupled;
+using test::CoupledOptions;
+
+constexpr test::Grid grid{.columns = 12, .rows = 12, .jitter = 0.2, .mixed_diagonals = true};
+
+/// A crack from the left side to the middle of a block.
+mesh::GmshMesh notched() {
+  mesh::GmshMesh file = test::make_grid(grid);
+  test::add_row_curve(grid, file, "crack", 6, 0, 6);
+  return file;
+}
+
+/// Water pressed so fast into the crack that the rock breaks.
+CoupledOptions injected() {
+  CoupledOptions options;
+  options.solid.kind = test::joint_kind(2e6, 6e6, 20.0, 60.0);
+  options.solid.curves = {{"crack", mechanics::JointState::closed}};
+  options.flow.rock.biot_modulus = 10e9;
+  options.flow.fracture[0].maximum_aperture = 2e-4;
+  options.prepare_water = [](seepage::Model& water) {
+    test::break_curve(water, "crack");
+    test::inject_crack(water, "source.left", Schedule::constant(0.1), {0.0, 0.5});
+  };
+  return options;
+}
+
+struct Variant {
+  JointStress joint_stress;
+  FluidEnters fluid_enters;
+  seepage::PoreJoints pore_joints;
+};
+
+class Injection : public testing::TestWithParam<Variant> {};
+
+TEST_P(Injection, BreaksTheRockAndLosesNeitherFluidNorEnergy) {
+  CoupledOptions options = injected();
+  options.joint_stress = GetParam().joint_stress;
+  options.fluid_enters = GetParam().fluid_enters;
+  options.flow.joints = GetParam().pore_joints;
+  Coupled coupled(notched(), options);
+  const auto open_at_start = coupled.water().cracks.broken_joints().size();
+  EXPECT_GT(coupled.advance(3000), 3);
+  EXPECT_GT(coupled.water().cracks.broken_joints().size(), open_at_start + 3);
+  EXPECT_GT(coupled.rock().energy(Execution()).fluid, 1.0);
+  EXPECT_LT(coupled.mass_error(), 1e-13);
+  EXPECT_LT(coupled.energy_error(), 1e-2);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Variants, Injection,
+    testing::Values(
+        Variant{JointStress::effective, FluidEnters::broken, seepage::PoreJoints::tied},
+        Variant{JointStress::total, FluidEnters::broken, seepage::PoreJoints::tied},
+        Variant{JointStress::effective, FluidEnters::softening, seepage::PoreJoints::tied},
+        Variant{JointStress::effective, FluidEnters::broken, seepage::PoreJoints::finite}));
+
+TEST(CoupledStep, GivesTheSameBitsOnAnyNumberOfThreads) {
+  std::string reference;
+  for (const auto& [backend, threads] :
+       {std::pair{Backend::serial, 1}, {Backend::host, 1}, {Backend::host, 2}}) {
+    Coupled coupled(notched(), injected());
+    Execution execution(backend, threads);
+    coupled.advance(800, execution);
+    if (reference.empty()) {
+      reference = coupled.bits();
+    }
+    EXPECT_EQ(coupled.bits(), reference) << threads;
+  }
+}
+
+/// A crack that opens lets the fluid lag behind: its new room is empty at first.
+TEST(CoupledStep, FluidLagsBehindTheTip) {
+  CoupledOptions options = injected();
+  options.flow.fluid.viscosity = 1.0;
+  Coupled coupled(notched(), options);
+  coupled.advance(3000);
+  double least = 1.0;
+  for (const Index v : coupled.water().cracks.open_nodes()) {
+    least = std::min(least, coupled.water().state.crack_saturation[at(v)]);
+  }
+  EXPECT_LT(least, 0.999);
+}
+
+/// In-situ stress is total stress, whatever the fluid in the rock: nothing moves.
+TEST(CoupledStep, StartsInEquilibriumWithTheFluidInPlace) {
+  for (const JointStress stress : {JointStress::effective, JointStress::total}) {
+    CoupledOptions options = injected();
+    options.joint_stress = stress;
+    options.solid.gravity = 9.81;
+    options.flow.gravity = 9.81;
+    const double weight = 9.81 * options.solid.rock.density;
+    const auto total = [&](const Point& p) {
+      return Tensor{0.6 * weight * (p.y - 100.0), weight * (p.y - 100.0), 0.0};
+    };
+    options.prepare_water = [](seepage::Model& water) {
+      test::break_curve(water, "crack");
+      const auto hydrostatic = [](const Point& p) {
+        return seepage::FluidState<double>{9810.0 * (100.0 - p.y), 1.0};
+      };
+      seepage::set_pores(water, hydrostatic);
+      seepage::set_cracks(water, hydrostatic);
+    };
+    options.prepare_rock = [&](mechanics::Model& rock) {
+      mechanics::set_initial_stress(rock, total);
+    };
+    // The traction of the stress outside is what holds the block.
+    options.loads = [&](const mechanics::Model& rock) {
+      mechanics::LoadList loads;
+      for (const mesh::BoundaryEdge& edge : rock.mesh.boundary) {
+        const Point a = rock.mesh.vertex[at(edge.vertex[0])];
+        const Point b = rock.mesh.vertex[at(edge.vertex[1])];
+        const Point normal = clockwise(b - a);
+        const std::array<Point, 2> end{total(a) * normal, total(b) * normal};
+        for (std::size_t i = 0; i < 2; ++i) {
+          loads.constant.push_back(
+              {edge.corner[i], (1.0 / 3.0) * end[i] + (1.0 / 6.0) * end[1 - i]});
+        }
+      }
+      return loads;
+    };
+    Coupled coupled(notched(), options);
+    coupled.advance(300);
+    const auto balance = coupled.rock().energy(Execution());
+    // Round-off of stresses of megapascals alone.
+    EXPECT_LT(balance.kinetic, 1e-18);
+    EXPECT_LT(std::abs(balance.fluid), 1e-9);
+    EXPECT_LT(coupled.mass_error(), 1e-15);
+  }
+}
+
+/// Pressure inside pushes on nothing but the rock itself.
+TEST(CoupledStep, MomentumStaysZero) {
+  Coupled coupled(notched(), injected());
+  coupled.advance(1500);
+  const mechanics::Model& rock = coupled.rock().model();
+  Point momentum{};
+  double size = 0.0;
+  test::for_each_corner(rock.mesh, [&](Index t, Index c) {
+    const double mass = 1.0 / rock.triangles.inverse_mass[at(t)];
+    const Point p = mass * Point{rock.motion.vx[at(c)], rock.motion.vy[at(c)]};
+    momentum = momentum + p;
+    size += std::hypot(p.x, p.y);
+  });
+  EXPECT_LT(std::hypot(momentum.x, momentum.y), 1e-12 * size);
+}
+
+/// Undrained plane strain under equal compression s: p = s alpha M/(alpha^2 M + lambda + G).
+TEST(CoupledStep, UndrainedRockTakesUpPressure) {
+  CoupledOptions options;
+  options.solid.joints = mechanics::JointState::tied;
+  options.solid.damping.local = 0.7;
+  options.flow.rock.permeability = {1e-22, 1e-22, 0.0};
+  options.flow.rock.biot_modulus = 10e9;
+  options.biot = 0.8;
+  constexpr double pressure = 1e5;
+  options.loads = [](const mechanics::Model& rock) {
+    mechanics::LoadList loads;
+    std::vector<Index> edges;
+    for (std::size_t e = 0; e < rock.mesh.boundary.size(); ++e) {
+      edges.push_back(static_cast<Index>(e));
+    }
+    loads.pressure.push_back({edges, Schedule::constant(pressure)});
+    return loads;
+  };
+  Coupled coupled(test::make_grid(grid), options);
+  coupled.advance(4000);
+  const double g = 10e9 / (2.0 * 1.25);
+  const double lambda = 2.0 * g * 0.25 / 0.5;
+  const double expected = pressure * 0.8 * 10e9 / (0.64 * 10e9 + lambda + g);
+  for (const Index node : coupled.water().pore_nodes.nodes(coupled.water().mesh)) {
+    EXPECT_NEAR(coupled.water().state.pressure[at(node)], expected, 1e-3 * expected);
+  }
+}
+
+/// A step twice the limit is unstable where the fluid rules it, one just below is not.
+TEST(StepLimit, CountsTheFluidInThinCracks) {
+  CoupledOptions options = injected();
+  options.flow.fracture[0].initial_aperture = 1e-6;
+  Coupled coupled(notched(), options);
+  EXPECT_TRUE(coupled.limit().ruled_by_crack(coupled.model()));
+  const double limit = coupled.limit().motion(coupled.model());
+  EXPECT_LT(limit, 0.5 * coupled.limit().rock());
+  Execution execution;
+  for (int i = 0; i < 400; ++i) {
+    coupled.step().advance(0.95 * coupled.limit().motion(coupled.model()), execution);
+  }
+  EXPECT_LT(coupled.energy_error(), 1e-2);
+}
+
+}  // namespace
+}  // namespace percolith::coupling
