@@ -88,13 +88,14 @@ constexpr std::array<std::string_view, 3> of_flow_alone{{
     "time.tolerance",
 }};
 
-constexpr std::array<std::string_view, 6> of_coupling{{
+constexpr std::array<std::string_view, 7> of_coupling{{
     "model.joint_stress",
     "model.fluid_enters",
     "model.crack_storage",
     "material.*.biot_coefficient",
     "new_cracks",
     "boundary.*.pressurised",
+    "excavation.*.pressure",
 }};
 
 bool has_flow(const Setup& setup, const std::string& /*name*/) {

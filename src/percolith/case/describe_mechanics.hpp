@@ -135,6 +135,9 @@ void describe(V& option, simulation::Excavation& m) {
          Quantity{"start", "s", not_negative, Need::optional, "Time at which they are taken out."});
   option(m.duration, Quantity{"duration", "s", not_negative, Need::optional,
                               "Time in which the forces they gave to the rest fade to nothing."});
+  option(m.pressure, Quantity{"pressure", "Pa", finite, Need::optional,
+                              "Pressure of the fluid in the opening, and so at its walls, from the "
+                              "start of the excavation on."});
 }
 
 template <class V>

@@ -113,7 +113,7 @@ void describe(V& option, simulation::Material& m) {
                   "Biot modulus: pressure per fluid content at constant volume.",
                   "bulk modulus of the fluid over porosity"});
   option(m.biot_coefficient,
-         Quantity{"biot_coefficient", "1", positive_fraction, Need::optional,
+         Quantity{"biot_coefficient", "1", not_negative, Need::optional,
                   "Biot coefficient alpha: share of the pore pressure that the rock bears."});
   list_elasticity(option, m.solid);
   using simulation::RockJoints;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/coupling/build.hpp"
 
+#include "percolith/coupling/pressure_to_force.hpp"
 #include "percolith/mechanics/build.hpp"
 #include "percolith/mechanics/joint.hpp"
 #include "percolith/mechanics/pressed_faces.hpp"
@@ -128,6 +129,7 @@ void note_pressures(mechanics::Model& rock, const seepage::Model& water) {
   mechanics::add_pressed(rock, water.cracks.broken_joints());
   Execution serial(Backend::serial);
   mechanics::measure_faces(rock, serial);
+  press_by(rock, water);
 }
 
 }  // namespace

@@ -22,13 +22,17 @@ mechanics::Changes CoupledStep::advance(double dt, Execution& execution) {
   mechanics::Changes changes = model_->rock.advance(dt, execution);
   const auto start = std::chrono::steady_clock::now();
   if (!open_network(*model_, changes).empty()) {
-    pores_.network_changed(model_->water);
-    cracks_ = std::make_unique<seepage::ImplicitFlow>(model_->water, seepage::Network::cracks);
+    network_changed();
   }
   execution.book("breakage", start);
   take_volumes(*model_, execution);
   flow(dt, execution);
   return changes;
+}
+
+void CoupledStep::network_changed() {
+  pores_.network_changed(model_->water);
+  cracks_ = std::make_unique<seepage::ImplicitFlow>(model_->water, seepage::Network::cracks);
 }
 
 void CoupledStep::flow(double dt, Execution& execution) {

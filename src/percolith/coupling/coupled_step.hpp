@@ -22,6 +22,9 @@ public:
   /// SolverError when the flow in the cracks has no solution.
   mechanics::Changes advance(double dt, Execution& execution);
 
+  /// To be called when conditions have been added since the last step.
+  void network_changed();
+
   /// Fluid that has leaked out of the cracks into the rock since time zero, m2.
   [[nodiscard]] double leaked() const { return leaked_.total(); }
   /// Iterations of the cracks in the last step.

@@ -3,15 +3,18 @@
 
 namespace percolith::coupling {
 
-void apply_pressures(CoupledModel& model) {
-  mechanics::Model& rock = model.rock.model();
-  rock.pores.pressure = model.water.state.pressure;
+void press_by(mechanics::Model& rock, const seepage::Model& water) {
   for (mechanics::PressedFaces& faces : rock.pressed) {
     const auto& ends = rock.mesh.joint[at(faces.joint)].vertex;
     for (std::size_t end = 0; end < 2; ++end) {
-      faces.pressure[end] = model.water.state.crack_pressure[at(ends[end])];
+      faces.pressure[end] = water.state.crack_pressure[at(ends[end])];
     }
   }
+}
+
+void apply_pressures(CoupledModel& model) {
+  model.rock.model().pores.pressure = model.water.state.pressure;
+  press_by(model.rock.model(), model.water);
 }
 
 }  // namespace percolith::coupling

@@ -5,6 +5,9 @@
 
 namespace percolith::coupling {
 
+/// Gives the joints that fluid presses the pressures of their crack nodes.
+void press_by(mechanics::Model& rock, const seepage::Model& water);
+
 /// Lets the present pressures of pores and cracks act on the rock in its next step, (37) to (40).
 void apply_pressures(CoupledModel& model);
 

@@ -5,15 +5,17 @@
 #include "percolith/mechanics/closed_joints.hpp"
 #include "percolith/mechanics/energy.hpp"
 #include "percolith/mechanics/joint_points.hpp"
+#include "percolith/mechanics/pressed_faces.hpp"
 #include "percolith/mechanics/solid_forces.hpp"
 #include "percolith/mechanics/strain.hpp"
+#include "percolith/mechanics/wet_joints.hpp"
 
 #include <algorithm>
 
 namespace percolith::mechanics {
 namespace {
 
-/// Forces of stress and gravity on the corners of a triangle, N/m.
+/// Forces of stress, pore pressure and gravity on the corners of a triangle, N/m.
 CornerForces<double> own_forces(const Model& model, Index t) {
   const Triangles& tri = model.triangles;
   const auto shape =
@@ -27,6 +29,15 @@ CornerForces<double> own_forces(const Model& model, Index t) {
     s.xy += tri.initial_xy[at(t)];
   }
   CornerForces<double> force = corner_forces(shape, strained.gradient, s);
+  const SolidForces kernel(model);
+  if (kernel.is_wet()) {
+    const Index first = mesh::corner_of(t, 0);
+    const auto pores = kernel.of_pores<ScalarLane>(
+        t, load_corners<ScalarLane>(model.motion.ux.data(), model.motion.uy.data(), first));
+    for (std::size_t k = 0; k < 3; ++k) {
+      force[k] = force[k] + pores[k];
+    }
+  }
   for (Point& f : force) {
     f.y -= tri.weight.empty() ? 0.0 : tri.weight[at(t)];
   }
@@ -67,15 +78,25 @@ void renew_joint_forces(Model& model, const JointTable& table,
       continue;
     }
     const bool closed = model.joints.state[at(j)] == JointState::closed;
+    const std::array<Point, 2> fluid = force_of_fluid(model, j);
     if (!closed && model.joints.state[at(j)] != JointState::bonded) {
+      set_force(model.joints, j, fluid);
       continue;
     }
     const JointPoints points = joint_points(model, table, j);
     const auto entry =
         std::lower_bound(model.closed.begin(), model.closed.end(), j,
                          [](const ClosedJoint& c, Index wanted) { return c.joint < wanted; });
-    const auto traction = closed ? closed_tractions(model, *entry) : points.traction;
-    set_force(model.joints, j, joint_forces(points.place, model.mesh.joint_length(j), traction));
+    auto traction = closed ? closed_tractions(model, *entry) : points.traction;
+    const std::array<double, 2> push = push_in_joint(model, j);
+    for (std::size_t g = 0; g < 2; ++g) {
+      traction[g].normal -= push[g];
+    }
+    auto force = joint_forces(points.place, model.mesh.joint_length(j), traction);
+    for (std::size_t end = 0; end < 2; ++end) {
+      force[end] = force[end] + fluid[end];
+    }
+    set_force(model.joints, j, force);
   }
 }
 
@@ -140,6 +161,7 @@ FadingSupport remove_triangles(Model& model, const JointTable& table,
         support_by_joint(model, j, first ? 1 : 0, support.force);
       }
       book_bond(model, table, j);
+      leave_pores(model, j);
       forget_joint(model, j);
       const auto& ends = model.mesh.joint[at(j)].vertex;
       vertices.insert(vertices.end(), ends.begin(), ends.end());
@@ -151,6 +173,11 @@ FadingSupport remove_triangles(Model& model, const JointTable& table,
   }
   std::erase_if(model.closed, [&](const ClosedJoint& c) {
     return model.joints.state[at(c.joint)] != JointState::closed;
+  });
+  forget_pressed(model, [&](Index j) {
+    const auto& corner = model.mesh.joint[at(j)].corner;
+    return removed[at(mesh::triangle_of(corner[0][0]))] != 0 ||
+           removed[at(mesh::triangle_of(corner[1][0]))] != 0;
   });
   for (const Index v : vertices) {
     model.nodes.refresh(model.mesh, model.tied, v);

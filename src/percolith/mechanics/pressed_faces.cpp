@@ -88,6 +88,21 @@ void press_faces(Model& model, Execution& execution) {
   model.energy.fluid_work += totals.sum[0];
 }
 
+std::array<Point, 2> force_of_fluid(const Model& model, Index joint) {
+  const auto faces = std::lower_bound(
+      model.pressed.begin(), model.pressed.end(), joint,
+      [](const PressedFaces& entry, Index wanted) { return entry.joint < wanted; });
+  if (faces == model.pressed.end() || faces->joint != joint) {
+    return {};
+  }
+  const double half = 0.5 * model.mesh.joint_length(joint);
+  return {-half * faces->pressure[0] * faces->across, -half * faces->pressure[1] * faces->across};
+}
+
+void forget_pressed(Model& model, const std::function<bool(Index)>& gone) {
+  std::erase_if(model.pressed, [&](const PressedFaces& faces) { return gone(faces.joint); });
+}
+
 double work_on_faces_since(const Model& model, double back) {
   double work = 0.0;
   for (const PressedFaces& faces : model.pressed) {

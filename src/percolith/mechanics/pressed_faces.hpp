@@ -4,6 +4,8 @@
 #include "percolith/core/execution.hpp"
 #include "percolith/mechanics/model.hpp"
 
+#include <array>
+#include <functional>
 #include <span>
 
 namespace percolith::mechanics {
@@ -20,6 +22,13 @@ void measure_faces(Model& model, Execution& execution);
 /// books their work since the last step. The pressures are those of the present places, which have
 /// been measured.
 void press_faces(Model& model, Execution& execution);
+
+/// Force (N/m) of the fluid between the faces of a joint on side 0 at both ends, in the present
+/// place; none where no fluid presses it.
+[[nodiscard]] std::array<Point, 2> force_of_fluid(const Model& model, Index joint);
+
+/// Lets fluid press joints no longer that have been taken out or given up, `gone(joint)`.
+void forget_pressed(Model& model, const std::function<bool(Index)>& gone);
 
 /// Work of the present pressures from the places measured last to those of `back` (s), as
 /// `joint_points` takes it, J/m.

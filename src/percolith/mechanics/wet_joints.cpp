@@ -13,6 +13,21 @@ WetJointForces::WetJointForces(Model& model, const JointTable& table)
                                  {model.pores.push[0].data(), model.pores.push[1].data()},
                                  {model.pores.opening[0].data(), model.pores.opening[1].data()}} {}
 
+std::array<double, 2> push_in_joint(const Model& model, Index joint) {
+  if (model.pores.joint_share.empty()) {
+    return {};
+  }
+  const auto& corner = model.mesh.joint[at(joint)].corner;
+  const double alpha = model.pores.joint_share[at(joint)];
+  std::array<double, 2> at_end{};
+  for (std::size_t end = 0; end < 2; ++end) {
+    at_end[end] =
+        0.5 * (model.pores.pressure[at(corner[0][end])] + model.pores.pressure[at(corner[1][end])]);
+  }
+  return {alpha * (gauss_weight(0) * at_end[0] + gauss_weight(1) * at_end[1]),
+          alpha * (gauss_weight(1) * at_end[0] + gauss_weight(0) * at_end[1])};
+}
+
 double work_in_joints_since(const Model& model, const Execution& execution, double back) {
   if (model.pores.joint_share.empty()) {
     return 0.0;

@@ -71,6 +71,10 @@ private:
   PoresInJoints pores_;
 };
 
+/// Share of the pore pressure that acts between the faces of a bonded joint now, at its integration
+/// points, Pa; 0 in other joints.
+[[nodiscard]] std::array<double, 2> push_in_joint(const Model& model, Index joint);
+
 /// Work of the pore pressure in bonded joints from the last step to the places of `back` (s), as
 /// `joint_points` takes it, J/m.
 [[nodiscard]] double work_in_joints_since(const Model& model, const Execution& execution,

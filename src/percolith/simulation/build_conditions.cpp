@@ -167,6 +167,13 @@ std::vector<Index> joints_of_fractures(const Setup& setup, const seepage::Model&
 void add_source_in_fractures(const Setup& setup, const seepage::Model& model, const Source& source,
                              const std::string& path, ConditionList& list) {
   const std::vector<Index> joints = joints_of_fractures(setup, model, source, path);
+  if (joints.empty()) {
+    throw InputError({{},
+                      path + ".fractures",
+                      quoted_list(source.fractures),
+                      "the fracture is bonded, so that there is no crack to bring fluid into",
+                      "a fracture with bond = \"broken\""});
+  }
   double length = 0.0;
   for (const Index j : joints) {
     length += model.mesh.joint_length(j);

@@ -7,6 +7,7 @@
 #include "percolith/simulation/frames.hpp"
 #include "percolith/simulation/solid_run.hpp"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,8 @@ namespace percolith::simulation {
 struct WaterRun {
   seepage::Model model;
   ProbeReader probes;
-  double in_place_at_start = 0.0;     ///< m2
-  double crack_fluid_at_start = 0.0;  ///< m2
+  double in_place_at_start = 0.0;               ///< m2
+  std::map<std::string, mesh::Index> drainage;  ///< condition of each excavation
 };
 
 /// The fields of both halves: points are corners or nodes that move together and share a pressure.

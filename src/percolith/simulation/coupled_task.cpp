@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/core/error.hpp"
 #include "percolith/coupling/build.hpp"
+#include "percolith/coupling/drainage.hpp"
 #include "percolith/seepage/flow_graph.hpp"
 #include "percolith/seepage/steady_flow.hpp"
 #include "percolith/simulation/balance.hpp"
@@ -52,9 +53,12 @@ WaterRun make_water(const Setup& setup, const mesh::GmshMesh& mesh) {
     Execution serial(Backend::serial);
     seepage::solve_steady(model, serial);
   }
-  std::map<std::string, Probe> probes = setup.probe;
-  ProbeReader reader(probes, model, setup.model.head_datum);
-  return {std::move(model), std::move(reader)};
+  std::map<std::string, Index> drainage;
+  for (const auto& [name, excavation] : setup.excavation) {
+    drainage[name] = coupling::add_drainage(model, "excavation." + name, excavation.pressure);
+  }
+  ProbeReader reader(setup.probe, model, setup.model.head_datum);
+  return {std::move(model), std::move(reader), 0.0, std::move(drainage)};
 }
 
 class CoupledTask : public SolidTask {
@@ -67,7 +71,6 @@ public:
                                           groups_of_joints(setup, water_.model.mesh)}},
         limit_(model_), scheme_(model_, setup.time.safety * limit_.pores()) {
     water_.in_place_at_start = seepage::fluid_in_place(water_.model, run_.execution);
-    water_.crack_fluid_at_start = crack_fluid(water_.model);
     const auto more = model_warnings(setup, water_.model);
     run_.summary.warnings.insert(run_.summary.warnings.end(), more.begin(), more.end());
     warn_of_biot(setup);
@@ -107,6 +110,7 @@ protected:
     run_.summary.throughput = water_.model.rate_in;
     return coupled_history_row(run_, water_, scheme_.leaked(), step_size);
   }
+  void take_out(const Digging& digging) override;
   void require_valid() const override;
   [[nodiscard]] std::int64_t iterations() const override { return scheme_.iterations(); }
 
@@ -122,13 +126,20 @@ private:
 
 void CoupledTask::warn_of_biot(const Setup& setup) {
   for (const auto& [name, material] : setup.material) {
-    if (material.biot_coefficient < material.rock.porosity) {
+    const double alpha = material.biot_coefficient;
+    if (alpha < material.rock.porosity || alpha > 1.0) {
       run_.summary.warnings.push_back(fmt::format(
-          "material.{}.biot_coefficient = {:g} is below the porosity of {:g}, which no rock is: "
-          "the grains would have to be softer than the rock",
-          name, material.biot_coefficient, material.rock.porosity));
+          "material.{}.biot_coefficient = {:g} is outside of the range from the porosity, {:g}, to "
+          "1 that a rock of solid grains has",
+          name, alpha, material.rock.porosity));
     }
   }
+}
+
+void CoupledTask::take_out(const Digging& digging) {
+  SolidTask::take_out(digging);
+  coupling::drain(model_, digging.triangles, water_.drainage.at(digging.name));
+  scheme_.network_changed();
 }
 
 CheckReport CoupledTask::check() const {

@@ -156,6 +156,7 @@ struct Excavation {
   std::vector<std::string> regions;  ///< physical surfaces
   double start = 0.0;                ///< s
   double duration = 0.0;             ///< s
+  double pressure = 0.0;             ///< Pa: of the fluid at the new walls from the start on
   friend bool operator==(const Excavation&, const Excavation&) = default;
 };
 

@@ -99,7 +99,7 @@ SolidRun make_solid_run(const Setup& setup, SolidStart start) {
 SolidTask::SolidTask(const Setup& setup, SolidRun run) : run_(std::move(run)) {
   step_ = solid_step(run_);
   for (const auto& [name, excavation] : setup.excavation) {
-    diggings_.push_back({excavation.start, excavation.duration,
+    diggings_.push_back({name, excavation.start, excavation.duration,
                          triangles_of(run_.dynamics.model().mesh, name, excavation)});
     quiet_after_ = std::max(quiet_after_, excavation.start + excavation.duration);
   }
@@ -136,7 +136,7 @@ double SolidTask::next_event(double output) const {
 
 void SolidTask::dig() {
   while (!diggings_.empty() && diggings_.front().start <= time()) {
-    run_.dynamics.take_out(diggings_.front().triangles, diggings_.front().duration);
+    take_out(diggings_.front());
     diggings_.erase(diggings_.begin());
     run_.fragments_stale = true;
   }

@@ -12,6 +12,7 @@ namespace percolith::simulation {
 
 /// An excavation that is still to come.
 struct Digging {
+  std::string name;                    ///< of its table
   double start = 0.0;                  ///< s
   double duration = 0.0;               ///< s
   std::vector<mesh::Index> triangles;  ///< that are taken out
@@ -44,6 +45,10 @@ protected:
   [[nodiscard]] virtual const char* limited_by() const;
   /// The first time after `t` at which something from outside jumps or bends, s.
   [[nodiscard]] virtual double next_break(double t) const;
+  /// Takes out what an excavation says.
+  virtual void take_out(const Digging& digging) {
+    run_.dynamics.take_out(digging.triangles, digging.duration);
+  }
   /// Puts the clock on `t` (s), from which it differs by round-off.
   virtual void set_time(double t) { run_.dynamics.model().motion.time = t; }
   [[nodiscard]] virtual Frame frame() const;

@@ -36,7 +36,7 @@ TEST(ReadCoupled, RefusesWhatItCannotCompute) {
   EXPECT_THAT(coupled_error({"boundary.wall.pressure="}),
               HasSubstr("boundary.wall.pressurised = true: the boundary has no pressure"));
   EXPECT_THAT(coupled_error({"boundary.wall.normal_pressure=1e6"}), HasSubstr("contradicts"));
-  EXPECT_THAT(coupled_error({"material.rock.biot_coefficient=1.5"}), HasSubstr("out of range"));
+  EXPECT_THAT(coupled_error({"material.rock.biot_coefficient=-0.5"}), HasSubstr("out of range"));
 }
 
 TEST(ReadCoupled, KeepsItsOptionsFromTheHalves) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/coupling/drainage.hpp"
 #include "percolith/mechanics/build.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "unit/support/coupled_model.hpp"
 
@@ -94,52 +96,76 @@ TEST(CoupledStep, FluidLagsBehindTheTip) {
   EXPECT_LT(least, 0.999);
 }
 
-/// In-situ stress is total stress, whatever the fluid in the rock: nothing moves.
-TEST(CoupledStep, StartsInEquilibriumWithTheFluidInPlace) {
-  for (const JointStress stress : {JointStress::effective, JointStress::total}) {
-    CoupledOptions options = injected();
-    options.joint_stress = stress;
-    options.solid.gravity = 9.81;
-    options.flow.gravity = 9.81;
-    const double weight = 9.81 * options.solid.rock.density;
-    const auto total = [&](const Point& p) {
-      return Tensor{0.6 * weight * (p.y - 100.0), weight * (p.y - 100.0), 0.0};
+/// Rock and water under their weight, held by the stress outside.
+CoupledOptions at_rest(JointStress stress, mechanics::JointState joints) {
+  CoupledOptions options = injected();
+  options.joint_stress = stress;
+  options.solid.joints = joints;
+  options.solid.gravity = 9.81;
+  options.flow.gravity = 9.81;
+  const double weight = 9.81 * options.solid.rock.density;
+  const auto total = [weight](const Point& p) {
+    return Tensor{0.6 * weight * (p.y - 100.0), weight * (p.y - 100.0), 0.0};
+  };
+  options.prepare_water = [](seepage::Model& water) {
+    test::break_curve(water, "crack");
+    const auto hydrostatic = [](const Point& p) {
+      return seepage::FluidState<double>{9810.0 * (100.0 - p.y), 1.0};
     };
-    options.prepare_water = [](seepage::Model& water) {
-      test::break_curve(water, "crack");
-      const auto hydrostatic = [](const Point& p) {
-        return seepage::FluidState<double>{9810.0 * (100.0 - p.y), 1.0};
-      };
-      seepage::set_pores(water, hydrostatic);
-      seepage::set_cracks(water, hydrostatic);
-    };
-    options.prepare_rock = [&](mechanics::Model& rock) {
-      mechanics::set_initial_stress(rock, total);
-    };
-    // The traction of the stress outside is what holds the block.
-    options.loads = [&](const mechanics::Model& rock) {
-      mechanics::LoadList loads;
-      for (const mesh::BoundaryEdge& edge : rock.mesh.boundary) {
-        const Point a = rock.mesh.vertex[at(edge.vertex[0])];
-        const Point b = rock.mesh.vertex[at(edge.vertex[1])];
-        const Point normal = clockwise(b - a);
-        const std::array<Point, 2> end{total(a) * normal, total(b) * normal};
-        for (std::size_t i = 0; i < 2; ++i) {
-          loads.constant.push_back(
-              {edge.corner[i], (1.0 / 3.0) * end[i] + (1.0 / 6.0) * end[1 - i]});
-        }
+    seepage::set_pores(water, hydrostatic);
+    seepage::set_cracks(water, hydrostatic);
+  };
+  options.prepare_rock = [total](mechanics::Model& rock) {
+    mechanics::set_initial_stress(rock, total);
+  };
+  options.loads = [total](const mechanics::Model& rock) {
+    mechanics::LoadList loads;
+    for (const mesh::BoundaryEdge& edge : rock.mesh.boundary) {
+      const Point a = rock.mesh.vertex[at(edge.vertex[0])];
+      const Point b = rock.mesh.vertex[at(edge.vertex[1])];
+      const Point normal = clockwise(b - a);
+      const std::array<Point, 2> end{total(a) * normal, total(b) * normal};
+      for (std::size_t i = 0; i < 2; ++i) {
+        loads.constant.push_back({edge.corner[i], (1.0 / 3.0) * end[i] + (1.0 / 6.0) * end[1 - i]});
       }
-      return loads;
-    };
-    Coupled coupled(notched(), options);
-    coupled.advance(300);
-    const auto balance = coupled.rock().energy(Execution());
-    // Round-off of stresses of megapascals alone.
-    EXPECT_LT(balance.kinetic, 1e-18);
-    EXPECT_LT(std::abs(balance.fluid), 1e-9);
-    EXPECT_LT(coupled.mass_error(), 1e-15);
-  }
+    }
+    return loads;
+  };
+  return options;
 }
+
+class AtRest : public testing::TestWithParam<std::tuple<JointStress, mechanics::JointState>> {};
+
+/// In-situ stress is total stress, whatever the fluid in the rock: nothing moves.
+TEST_P(AtRest, StartsInEquilibriumWithTheFluidInPlace) {
+  Coupled coupled(notched(), at_rest(std::get<0>(GetParam()), std::get<1>(GetParam())));
+  coupled.advance(300);
+  const auto balance = coupled.rock().energy(Execution());
+  // Round-off of stresses of megapascals alone.
+  EXPECT_LT(balance.kinetic, 1e-18);
+  EXPECT_LT(std::abs(balance.fluid), 1e-9);
+  EXPECT_LT(coupled.mass_error(), 1e-15);
+}
+
+/// What is taken out keeps giving its forces, those of its fluid among them, until they fade.
+TEST_P(AtRest, StaysSoWhileAnExcavationKeepsItsSupport) {
+  Coupled coupled(notched(), at_rest(std::get<0>(GetParam()), std::get<1>(GetParam())));
+  std::vector<Index> opening;
+  for (Index t = 0; t < coupled.water().mesh.triangles(); ++t) {
+    const Point p = test::centroid(coupled.water().mesh, t);
+    if (std::hypot(p.x - 0.4, p.y - 0.5) < 0.2) {
+      opening.push_back(t);
+    }
+  }
+  coupled.rock().take_out(opening, 1e9);
+  coupled.advance(300);
+  EXPECT_LT(coupled.rock().energy(Execution()).kinetic, 1e-14);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Rocks, AtRest,
+    testing::Combine(testing::Values(JointStress::effective, JointStress::total),
+                     testing::Values(mechanics::JointState::bonded, mechanics::JointState::tied)));
 
 /// Pressure inside pushes on nothing but the rock itself.
 TEST(CoupledStep, MomentumStaysZero) {
@@ -183,6 +209,30 @@ TEST(CoupledStep, UndrainedRockTakesUpPressure) {
   for (const Index node : coupled.water().pore_nodes.nodes(coupled.water().mesh)) {
     EXPECT_NEAR(coupled.water().state.pressure[at(node)], expected, 1e-3 * expected);
   }
+}
+
+TEST(Drainage, LetsTheFluidOutOfWhatIsTakenOut) {
+  CoupledOptions options = injected();
+  options.prepare_water = [](seepage::Model& water) {
+    test::break_curve(water, "crack");
+    const auto full = [](const Point&) { return seepage::FluidState<double>{1e6, 1.0}; };
+    seepage::set_pores(water, full);
+    seepage::set_cracks(water, full);
+  };
+  Coupled coupled(notched(), options);
+  const Index number = add_drainage(coupled.water(), "excavation.opening", 2e5);
+  const std::vector<Index> opening{0, 1, 2};
+  coupled.rock().take_out(opening, 1.0);
+  drain(coupled.model(), opening, number);
+  coupled.step().network_changed();
+  coupled.advance(5);
+  for (const Index t : opening) {
+    for (Index k = 0; k < 3; ++k) {
+      EXPECT_NEAR(coupled.water().state.pressure[at(mesh::corner_of(t, k))], 2e5, 1.0);
+    }
+  }
+  EXPECT_LT(coupled.water().let_in[at(number)].total(), 0.0);
+  EXPECT_LT(coupled.mass_error(), 1e-14);
 }
 
 /// A step twice the limit is unstable where the fluid rules it, one just below is not.
