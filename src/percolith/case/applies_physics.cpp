@@ -88,7 +88,7 @@ constexpr std::array<std::string_view, 3> of_flow_alone{{
     "time.tolerance",
 }};
 
-constexpr std::array<std::string_view, 7> of_coupling{{
+constexpr std::array<std::string_view, 8> of_coupling{{
     "model.joint_stress",
     "model.fluid_enters",
     "model.crack_storage",
@@ -96,6 +96,7 @@ constexpr std::array<std::string_view, 7> of_coupling{{
     "new_cracks",
     "boundary.*.pressurised",
     "excavation.*.pressure",
+    "fracture.*.closure_stress",
 }};
 
 bool has_flow(const Setup& setup, const std::string& /*name*/) {

@@ -142,6 +142,11 @@ void list_hydraulics(V& option, material::Fracture& m, std::string_view needed) 
                                       "Lower bound of the aperture."});
   option(m.maximum_aperture, Quantity{"maximum_aperture", "m", positive_or_infinite, Need::optional,
                                       "Upper bound of the aperture that conducts."});
+  option(m.closure_stress,
+         Quantity{"closure_stress", "Pa", positive, Need::optional,
+                  "Effective normal stress s_ref that closes the fracture to a tenth: the aperture "
+                  "at zero opening is initial_aperture/(1 + 9 s/s_ref) under the stress s.",
+                  "initial_aperture whatever the stress"});
   option(m.transmissivity,
          Quantity{"transmissivity", "m3", positive, Need::optional,
                   "Intrinsic transmissivity: permeability along the fracture times aperture.",

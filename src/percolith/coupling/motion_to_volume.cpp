@@ -13,7 +13,7 @@ void take_volumes(CoupledModel& model, Execution& execution) {
   std::vector<seepage::CrackOpening> openings;
   openings.reserve(rock.pressed.size());
   for (const mechanics::PressedFaces& faces : rock.pressed) {
-    openings.push_back({faces.joint, faces.opening});
+    openings.push_back({faces.joint, faces.opening, faces.compression});
   }
   seepage::open_cracks(model.water, openings);
   execution.book("crack openings", start);

@@ -17,6 +17,9 @@ struct Fracture {
   /// h_c, m/(Pa s): flux from crack to one face per pressure difference; infinite: crack and faces
   /// share one pressure.
   double exchange = std::numeric_limits<double>::infinity();
+  /// sigma_nref, Pa: effective normal stress that closes the fracture to a tenth of a_0; absent:
+  /// a_0 does not depend on the stress.
+  std::optional<double> closure_stress{};
   /// Whether the volume of a fracture is limited by the maximum aperture too, as in the paper.
   bool clamped_storage = false;
   friend bool operator==(const Fracture&, const Fracture&) = default;

@@ -121,6 +121,7 @@ struct PressedFaces {
   Index joint = 0;
   std::array<double, 2> pressure{};       ///< Pa, at the ends
   std::array<double, 2> opening{};        ///< m, at the ends, now
+  double compression = 0.0;               ///< Pa: of the faces on each other, now
   Point across{};                         ///< from side 0 to side 1, now
   std::array<double, 2> last_pressure{};  ///< Pa, when the faces were last pressed
   std::array<double, 2> last_opening{};   ///< m, then

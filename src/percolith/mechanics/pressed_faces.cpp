@@ -26,6 +26,20 @@ std::array<double, 2> openings_of(const JointPlace<double>& place) {
   return {dot(place.apart[0], place.across), dot(place.apart[1], place.across)};
 }
 
+/// Stress with which the faces press on each other, Pa; none of a bonded joint.
+double compression_of(const Model& model, const PressedFaces& faces) {
+  const auto j = at(faces.joint);
+  const Joints& joints = model.joints;
+  if (joints.state[j] == JointState::bonded) {
+    return 0.0;
+  }
+  double opening = 0.5 * (faces.opening[0] + faces.opening[1]);
+  if (joints.state[j] == JointState::closed && !joints.opening_start[0].empty()) {
+    opening += 0.5 * (joints.opening_start[0][j] + joints.opening_start[1][j]);
+  }
+  return joints.full_stiffness[j] * std::max(0.0, -opening);
+}
+
 struct MeasureFaces {
   Model* model;
 
@@ -34,6 +48,7 @@ struct MeasureFaces {
     const JointPlace<double> place = place_of(*model, faces.joint, 0.0);
     faces.across = place.across;
     faces.opening = openings_of(place);
+    faces.compression = compression_of(*model, faces);
   }
 };
 

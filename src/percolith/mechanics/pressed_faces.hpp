@@ -15,7 +15,8 @@ void add_pressed(Model& model, std::span<const Index> joints);
 
 /// Measures opening (m) and direction of all joints that fluid presses, in the present places: what
 /// side 1 has moved away from side 0 at both ends across the joint, negative where faces overlap.
-/// In-situ stress does not count.
+/// In-situ stress does not count. And the stress (Pa) with which faces press on each other, in-situ
+/// stress included as long as they have not parted, by the stiffness of the joint.
 void measure_faces(Model& model, Execution& execution);
 
 /// Adds the forces of the fluid to those of the joints, p L/2 at each end of each face (37), and

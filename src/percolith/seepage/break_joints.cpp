@@ -11,8 +11,8 @@ void set_conductance(Model& model, Index joint) {
   CrackProperties& crack = model.crack;
   const auto j = at(joint);
   const material::Fracture& fracture = model.fracture[at(crack.group[j])];
-  crack.aperture[j] =
-      hydraulic_aperture(fracture, 0.5 * (crack.opening[0][j] + crack.opening[1][j]));
+  crack.aperture[j] = hydraulic_aperture(
+      fracture, 0.5 * (crack.opening[0][j] + crack.opening[1][j]), crack.compression[j]);
   crack.conductance[j] = crack_conductance(fracture, crack.aperture[j],
                                            model.mesh.joint_length(joint), model.fluid.viscosity);
 }
@@ -33,7 +33,9 @@ double crack_volume(const Model& model, Index vertex) {
     if (model.cracks.is_broken(j)) {
       const material::Fracture& fracture = model.fracture[at(model.crack.group[at(j)])];
       const auto end = at(model.mesh.joint_end(j, vertex));
-      volume += 0.5 * storage_aperture(fracture, model.crack.opening[end][at(j)]) *
+      volume += 0.5 *
+                storage_aperture(fracture, model.crack.opening[end][at(j)],
+                                 model.crack.compression[at(j)]) *
                 model.mesh.joint_length(j);
     }
   }
@@ -103,6 +105,7 @@ void open_cracks(Model& model, std::span<const CrackOpening> openings) {
     for (std::size_t end = 0; end < 2; ++end) {
       model.crack.opening[end][at(crack.joint)] = crack.opening[end];
     }
+    model.crack.compression[at(crack.joint)] = crack.compression;
     set_conductance(model, crack.joint);
   }
   for (const Index v : model.cracks.open_nodes()) {

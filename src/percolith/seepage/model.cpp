@@ -72,6 +72,7 @@ CrackProperties crack_properties(const Model& model) {
   for (auto& opening : crack.opening) {
     opening.assign(model.mesh.joint.size(), 0.0);
   }
+  crack.compression.assign(model.mesh.joint.size(), 0.0);
   crack.aperture.assign(model.mesh.joint.size(), 0.0);
   crack.conductance.assign(model.mesh.joint.size(), 0.0);
   crack.exchange.assign(model.mesh.joint.size(), 0.0);

@@ -38,6 +38,7 @@ struct CrackProperties {
   std::vector<Index> group;  ///< per joint: fracture group, or `none`
   /// Per joint and end [end]: opening u_n since time zero, m.
   std::array<std::vector<double>, 2> opening;
+  std::vector<double> compression;  ///< per joint: effective, on closed faces, Pa
   std::vector<double> aperture;     ///< per joint: hydraulic aperture, m
   std::vector<double> conductance;  ///< per joint: along the crack, m2/(Pa s)
   std::vector<double> exchange;     ///< per joint: to each facing corner, m2/(Pa s)
@@ -130,10 +131,11 @@ void take_swelling(Model& model, Index vertex);
 struct CrackOpening {
   Index joint = 0;
   std::array<double, 2> opening{};  ///< u_n at the ends, m
+  double compression = 0.0;         ///< effective normal stress on closed faces, Pa
 };
 
-/// Gives broken joints new openings: conductances follow from the mean of the ends, (28), volumes
-/// from each end (theory.md section 5). The fluid stays, pressures follow.
+/// Gives broken joints new openings and compressions: conductances follow from the mean of the
+/// ends, (28), volumes from each end (theory.md section 5). The fluid stays, pressures follow.
 void open_cracks(Model& model, std::span<const CrackOpening> openings);
 
 /// Fluid in pores and cracks, m2: void volume plus excess.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/coupling/motion_to_volume.hpp"
 #include "percolith/mechanics/pressed_faces.hpp"
 #include "percolith/mechanics/triangle.hpp"
 
@@ -106,6 +107,21 @@ TEST(CrackPressure, WorksOnTheFacesAsTheVolumeOfTheCrackGrows) {
         water.state.crack_pressure[at(v)] * (water.crack.void_volume[at(v)] - before[at(v)]);
   }
   EXPECT_NEAR((press(coupled) - start) / by_volume, 1.0, 1e-9);
+}
+
+/// At the reference stress a tenth of the aperture is left.
+TEST(ClosureStress, ClosesAFractureToATenth) {
+  test::CoupledOptions options = cracked();
+  options.flow.fracture[0].closure_stress = 5e6;
+  options.prepare_rock = [](mechanics::Model& rock) {
+    mechanics::set_initial_stress(rock, [](const Point&) { return Tensor{0.0, -5e6, 0.0}; });
+  };
+  test::Coupled coupled(block(), options);
+  Execution execution;
+  take_volumes(coupled.model(), execution);
+  for (const Index j : coupled.water().cracks.broken_joints()) {
+    EXPECT_NEAR(coupled.water().crack.aperture[at(j)], 1e-5, 1e-12);
+  }
 }
 
 TEST(PoreGrowth, IsBiotTimesTheGrowthOfTheTriangles) {
