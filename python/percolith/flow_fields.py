@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Values of the fields of flow that pictures show, and the ends of their colours."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from percolith.colour_range import ColourRange, widened
+from percolith.run_directory import Frame, RunDirectoryError
+from percolith.units import Scale, power_scale, pressure_scale
+from percolith.vtu import Grid
+
+FIELDS = ("pressure", "head", "saturation", "flux")
+LABEL = {
+    "pressure": "Pressure",
+    "head": "Hydraulic head",
+    "saturation": "Saturation",
+    "flux": "Darcy flux",
+}
+_ARRAY = {"pressure": "pressure_Pa", "head": "head_m", "saturation": "saturation"}
+_FLUX = "darcy_flux_m_per_s"
+_WIDER = 2.0  # times the range of the rock: cracks get colours of their own beyond
+
+
+def point_values(grid: Grid, field: str) -> np.ndarray:
+    """Values (SI) at the points of the rock or the cracks. Raises RunDirectoryError where there are
+    none."""
+    if _ARRAY[field] not in grid.point_data:
+        raise RunDirectoryError(f"no {field} in this run (head needs model.gravity > 0)")
+    return grid.point_data[_ARRAY[field]]
+
+
+def flux(frame: Frame) -> np.ndarray:
+    """Darcy flux (m/s) of every triangle, (n, 2). Raises RunDirectoryError where there is none."""
+    if _FLUX not in frame.matrix.cell_data:
+        raise RunDirectoryError(f"no {_FLUX} in the field files of this run")
+    return frame.matrix.cell_data[_FLUX]
+
+
+def flux_size(frame: Frame) -> np.ndarray:
+    return np.hypot(*flux(frame).T)
+
+
+def rock_values(frame: Frame, field: str) -> np.ndarray:
+    return flux_size(frame) if field == "flux" else point_values(frame.matrix, field)
+
+
+def carries_fluid(cracks: Grid) -> np.ndarray:
+    """True (n,) for each crack segment that fluid can be in. A joint past its peak that is not
+    broken may hold none; its values mean nothing then."""
+    pressure = cracks.point_data.get("pressure_Pa")
+    if pressure is None:
+        return np.zeros(len(cracks.cells), bool)
+    carries = np.isfinite(pressure[cracks.cells]).all(axis=1)
+    if "mode" in cracks.cell_data and "saturation" in cracks.point_data:
+        filled = np.nan_to_num(cracks.point_data["saturation"][cracks.cells]).any(axis=1)
+        carries &= filled | (cracks.cell_data["mode"] >= 0)
+    return carries
+
+
+def crack_values(frame: Frame, field: str) -> np.ndarray:
+    """Values (SI) at the ends of the segments that fluid can be in; none of the flux, which is of
+    another kind there."""
+    if field == "flux" or frame.cracks is None:
+        return np.empty(0)
+    cracks = frame.cracks
+    return point_values(cracks, field)[cracks.cells[carries_fluid(cracks)]].ravel()
+
+
+def range_of_values(field: str, values: np.ndarray) -> ColourRange:
+    """The ends of the colours. The flux grows without bound towards the tips of cracks, on ever
+    finer meshes, and is cut at its last per cent. Raises RunDirectoryError where no value is
+    finite."""
+    if not np.isfinite(values).any():
+        raise RunDirectoryError(f"{LABEL[field].lower()}: no finite value")
+    if field == "saturation":
+        return ColourRange(0.0, 1.0, Scale(1.0, ""))
+    low, high = float(np.nanmin(values)), float(np.nanmax(values))
+    if field == "flux":
+        low, high = 0.0, float(np.nanpercentile(values, 99))
+    low, high = widened(low, high)
+    scale = {"pressure": pressure_scale, "head": lambda v: power_scale(v, "m"),
+             "flux": lambda v: power_scale(v, "m/s")}[field](np.array([low, high]))
+    return ColourRange(low, high, scale)
+
+
+def rock_and_crack_ranges(field: str, rock: np.ndarray, cracks: np.ndarray,
+                          may_differ: bool) -> tuple[ColourRange, ColourRange | None]:
+    """The ends of the colours of the rock and, where they differ, of the cracks. Where fluid is
+    forced into tight rock, the pressure in cracks is so far above that of the rock that one range
+    would show the rock in one colour."""
+    both = range_of_values(field, np.concatenate([rock, cracks]))
+    if not may_differ or field != "pressure" or not np.isfinite(cracks).any():
+        return both, None
+    of_rock = range_of_values(field, rock)
+    if both.high - both.low <= _WIDER * (of_rock.high - of_rock.low):
+        return both, None
+    return of_rock, range_of_values(field, cracks)
