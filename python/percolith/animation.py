@@ -9,8 +9,10 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.colors import to_rgb
 from PIL import Image
 
+from percolith.crack_picture import MODES
 from percolith.field_picture import field_figure
 from percolith.flow_fields import FIELDS
 from percolith.mechanics_picture import mechanics_figure
@@ -24,6 +26,8 @@ _FEWEST_FRAMES = 24  # that a file which is too large is thinned to before its p
 _RESOLUTION = 80  # dots per inch
 _DURATION = 8000  # ms that all pictures take together, where each then stays
 _SHORTEST, _LONGEST = 80, 500  # ms
+_SAMPLED = 5  # pictures that the set of colours is made from
+_ALMOST_WHITE = 244
 _LAST = 2000  # ms that the last picture stays
 
 
@@ -31,10 +35,10 @@ def default_field(run: RunDirectory) -> str:
     return "pressure" if run.has_flow else "principal_stress_1"
 
 
-def chosen_times(times: list[float], most: int = MOST_FRAMES) -> list[float]:
-    """At most so many of the times (s), evenly among them, the first and the last included."""
-    numbers = np.unique(np.linspace(0, len(times) - 1, min(len(times), most)).round().astype(int))
-    return [times[i] for i in numbers]
+def thinned(entries: list, most: int) -> list:
+    """At most so many of the entries, evenly among them, the first and the last included."""
+    numbers = np.linspace(0, len(entries) - 1, min(len(entries), most)).round().astype(int)
+    return [entries[i] for i in np.unique(numbers)]
 
 
 def _image(run: RunDirectory, time: float, field: str, view: View) -> Image.Image:
@@ -48,10 +52,26 @@ def _image(run: RunDirectory, time: float, field: str, view: View) -> Image.Imag
     return Image.fromarray(np.ascontiguousarray(pixels))
 
 
+def _palette(images: list[Image.Image]) -> Image.Image:
+    """One set of 256 colours for all pictures, so that none flickers. Colours of modes count as if
+    they covered a part of each picture: their lines are thin."""
+    parts = [np.asarray(image)[::2, ::2].reshape(-1, 3) for image in thinned(images, _SAMPLED)]
+    swatch = len(parts[0]) // 50
+    for _, colour in MODES.values():
+        parts.append(np.full((swatch, 3), np.round(255 * np.array(to_rgb(colour))), np.uint8))
+    pixels = np.concatenate(parts)
+    width = len(parts[0])
+    pixels = np.resize(pixels, (-(-len(pixels) // width), width, 3))
+    palette = Image.fromarray(pixels).quantize(256, method=Image.Quantize.MEDIANCUT)
+    colours = np.array(palette.getpalette()).reshape(-1, 3)
+    colours[colours.min(axis=1) > _ALMOST_WHITE] = 255  # means of the paper and of what is near it
+    palette.putpalette(colours.astype(np.uint8).tobytes())
+    return palette
+
+
 def _encode(images: list[Image.Image]) -> bytes:
-    """The GIF of these pictures, each with the 256 colours that suit it best."""
-    flat = [image.quantize(256, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
-            for image in images]
+    palette = _palette(images)
+    flat = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
     each = int(np.clip(_DURATION / len(flat), _SHORTEST, _LONGEST))
     file = io.BytesIO()
     flat[0].save(file, format="GIF", save_all=True, append_images=flat[1:], loop=0, optimize=False,
@@ -70,7 +90,7 @@ def encode(images: list[Image.Image], largest: int = LARGEST_FILE) -> bytes:
     content = _encode(images)
     while len(content) > largest and len(images) > _FEWEST_FRAMES:
         fitting = int(0.95 * len(images) * largest / len(content))
-        images = chosen_times(images, max(_FEWEST_FRAMES, fitting))
+        images = thinned(images, max(_FEWEST_FRAMES, fitting))
         content = _encode(images)
     while len(content) > largest and min(images[0].size) > 100:
         images = _shrink(images, min(0.9, 0.95 * (largest / len(content)) ** 0.5))
@@ -91,7 +111,7 @@ def draw_animation(run: RunDirectory, field: str | None = None, path: Path | Non
     if len(run.times) < 2:
         raise RunDirectoryError(f"{run.path}: an animation needs two frames; the case can ask for "
                                 "them by output.interval or output.times")
-    times = chosen_times(run.times)
+    times = thinned(run.times, MOST_FRAMES)
     view = view_of_times(run, times, field, scale, run.has_mechanics, ANIMATED)
     path = path or run.path / f"{field}.gif"
     path.write_bytes(encode([_image(run, time, field, view) for time in times]))

@@ -59,7 +59,8 @@ def draw_crack_growth(run: RunDirectory, path: Path) -> Path | None:
                                 layout="constrained", squeeze=False)
     for axes, (curves, scale, quantity) in zip(grid.flat, panels):
         draw_curves(axes, history, time, curves, scale, quantity)
-        axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
+        if not (_finite(history, curves) < 0.0).any():
+            axes.set_ylim(bottom=0.0)
         axes.set_xlabel(time.label("Time"))
         axes.grid(alpha=0.3)
     for axes in grid.flat[len(panels):]:

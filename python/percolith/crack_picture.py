@@ -16,15 +16,17 @@ from percolith.mechanics_fields import array_of
 from percolith.run_directory import Frame
 from percolith.view import View
 
+SOFTENING = -1  # of the field `mode`
 # Number in the field `mode`, name and colour of the joints that a picture of damage shows.
 MODES = {
-    -1: ("past its peak", ORANGE),
+    SOFTENING: ("past its peak", ORANGE),
     FROM_THE_START: ("broken from the start", BLACK),
     1: ("tensile", BLUE),
     2: ("shear", RED),
     3: ("mixed", GREEN),
 }
 OUTLINE = "#202020"
+_ABOVE = 2.0  # the rock; what comes later lies on top
 
 
 def draw_thin(axes, frame: Frame, points: np.ndarray) -> None:
@@ -50,19 +52,20 @@ def mode_handles(frame: Frame, modes: tuple[int, ...]) -> list[Line2D]:
 
 
 def draw_modes(axes, frame: Frame, points: np.ndarray, is_edged: bool) -> None:
-    """Both faces of every joint past its peak in the colour of its mode; with a white edge where
-    the rock below is coloured."""
+    """Both faces of every joint past its peak in the colour of its mode; those that broke with a
+    white edge where the rock below is coloured."""
     faces, segment, _ = crack_faces(frame)
     if not len(faces):
         return
     mode = array_of(frame.cracks.cell_data, "mode")[segment]
     for number, (_, colour) in MODES.items():
-        width = 1.0 if number == -1 else 1.8
-        edge = [Stroke(linewidth=width + 1.2, foreground="white"), Normal()] if is_edged else None
+        width = 1.0 if number == SOFTENING else 1.8
+        edge = [Stroke(linewidth=width + 1.2, foreground="white"), Normal()]
         if (mode == number).any():
             axes.add_collection(LineCollection(points[faces[mode == number]], colors=colour,
                                                linewidths=width, capstyle="round",
-                                               path_effects=edge), autolim=False)
+                                               path_effects=edge if is_edged and number != SOFTENING
+                                               else None), autolim=False)
 
 
 def _shapes(frame: Frame, points: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -89,19 +92,20 @@ def _halves(corners: np.ndarray, lines: np.ndarray) -> tuple[np.ndarray, np.ndar
                            np.stack([one, corners[:, 1], corners[:, 2], other], 1)]), cut
 
 
-def draw_filled(axes, frame: Frame, points: np.ndarray, field: str, view: View, colours: dict):
+def draw_filled(axes, frame: Frame, points: np.ndarray, field: str, view: View,
+                colours: dict) -> None:
     """Every crack that fluid can be in, in the colours of a quantity of flow at its points: its gap
-    as far as it can be seen, and a line. Returns what a colour bar can be made of."""
+    as far as it can be seen, and a line."""
     shown = view.cracks or view.rock
     cracks = frame.cracks
     gaps, lines, segment = _shapes(frame, points)
     wet = carries_fluid(cracks)[segment] if can_deform(frame.matrix) else np.ones(len(lines), bool)
     gaps, lines, segment = gaps[wet[:len(gaps)]], lines[wet], segment[wet]
-    axes.add_collection(LineCollection(lines, colors=OUTLINE, linewidths=3.4, capstyle="round"),
-                        autolim=False)
+    axes.add_collection(LineCollection(lines, colors=OUTLINE, linewidths=3.4, capstyle="round",
+                                       zorder=_ABOVE), autolim=False)
     if len(gaps):
         axes.add_collection(PolyCollection(gaps, facecolors="none", edgecolors=OUTLINE,
-                                           linewidths=1.4), autolim=False)
+                                           linewidths=1.4, zorder=_ABOVE), autolim=False)
     values = point_values(cracks, field)[cracks.cells[segment]]
     mean = values.mean(axis=1)
     # Two halves a segment, each in the colour a quarter of the way from its end.
@@ -110,7 +114,6 @@ def draw_filled(axes, frame: Frame, points: np.ndarray, field: str, view: View, 
     gaps, lines = _halves(gaps, lines)
     if len(gaps):
         axes.add_collection(PolyCollection(gaps, array=values, antialiased=False, linewidths=0.0,
-                                           **colours), autolim=False)
-    picture = LineCollection(lines, array=values, linewidths=2.0, capstyle="round", **colours)
-    axes.add_collection(picture, autolim=False)
-    return picture
+                                           zorder=_ABOVE, **colours), autolim=False)
+    axes.add_collection(LineCollection(lines, array=values, linewidths=2.0, capstyle="round",
+                                       zorder=_ABOVE, **colours), autolim=False)

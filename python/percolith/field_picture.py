@@ -72,9 +72,9 @@ def _add_bars(model: ModelFigure, rock: PolyCollection, field: str, view: View) 
     if view.cracks is None:
         model.colour_bar(rock, view.rock.scale.label(name), "max" if field == "flux" else "neither")
         return
-    model.colour_bar(rock, view.rock.scale.label(f"{name} in the rock"))
     of_cracks = plt.cm.ScalarMappable(**_colours(_CRACKS, view))
     model.colour_bar(of_cracks, view.cracks.scale.label(f"{name} in cracks"))
+    model.colour_bar(rock, view.rock.scale.label(f"{name} in the rock"))
 
 
 def one_a_square(places: np.ndarray, spacing: float) -> np.ndarray:
@@ -107,8 +107,8 @@ def _title(run: RunDirectory, frame: Frame, field: str, view: View, figure) -> s
 
 
 def field_figure(run: RunDirectory, frame: Frame, field: str, view: View, arrows: bool = False):
-    """A figure of `field` at the time of `frame`. Raises RunDirectoryError where the run has no such
-    field."""
+    """A figure of `field` at the time of `frame`. Raises RunDirectoryError where the run has no
+    such field."""
     model = ModelFigure(view.window, second_bar=view.cracks is not None)
     title = _title(run, frame, field, view, model.figure)
     frame, bodies = split(run, frame)

@@ -48,7 +48,9 @@ class ModelFigure:
 
 def moment(run: RunDirectory, frame: Frame) -> str:
     """The time of a frame in the unit that suits the run."""
-    return "steady state" if run.is_steady else f"t = {format_time(frame.time, time_scale(run.times))}"
+    if run.is_steady:
+        return "steady state"
+    return f"t = {format_time(frame.time, time_scale(run.times))}"
 
 
 def shape(view: View) -> str:

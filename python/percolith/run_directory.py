@@ -108,8 +108,8 @@ class RunDirectory:
 
     @cached_property
     def summary(self) -> dict:
-        """What summary.json says: end time, steps, wall time; of flow its mass balance and extremes,
-        of mechanics its results."""
+        """What summary.json says: end time, steps, wall time; of flow its mass balance and
+        extremes, of mechanics its results."""
         with open(self._file("summary.json"), encoding="utf-8") as file:
             return json.load(file)
 
