@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws how fluid drives cracks: the pressure at which it is injected; length, volume and aperture
-of the cracks over time."""
+of the cracks; where the fluid went."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -13,18 +14,27 @@ from percolith.history_picture import draw_curves
 from percolith.run_directory import RunDirectory, Table
 from percolith.units import Scale, length_scale, power_scale, pressure_scale, time_scale
 
-_INJECTION = ".pressure_Pa"
-_SIZES = {
-    "crack_length_m": ("Length of cracks", length_scale),
-    "crack_volume_m2": ("Volume of cracks", lambda values: power_scale(values, "m³/m")),
-    "mean_aperture_m": ("Mean aperture", length_scale),
-}
+_PRESSURE, _VOLUME = ".pressure_Pa", ".volume_m2"
+_LENGTHS = {"crack_length_m": "broken", "filled_crack_length_m": "filled"}
+_VOLUMES = {"crack_volume_m2": "space in cracks", "crack_fluid_m2": "fluid in cracks"}
 
 
-def _injection(history: Table) -> dict[str, str]:
-    """The columns of the pressure at sources, with the name of each."""
-    return {name: name.removesuffix(_INJECTION) for name in history.columns
-            if name.startswith("source.") and name.endswith(_INJECTION)}
+def _ending(history: Table, ending: str) -> dict[str, str]:
+    """The columns that end so, with what stands before it."""
+    return {name: name.removesuffix(ending) for name in history.columns if name.endswith(ending)}
+
+
+def _groups(history: Table) -> list[tuple[dict[str, str], Callable[[np.ndarray], Scale], str]]:
+    """Columns with their names, choice of unit and quantity of each panel."""
+    def volume_scale(values: np.ndarray) -> Scale:
+        return power_scale(values, "m³/m")
+
+    let_in = _ending(history, _VOLUME) | {"leaked_m2": "from cracks into the rock"}
+    return [(_ending(history, _PRESSURE), pressure_scale, "Pressure at the source"),
+            (_LENGTHS, length_scale, "Length of cracks"),
+            (_VOLUMES, volume_scale, "Volume"),
+            ({"mean_aperture_m": ""}, length_scale, "Mean aperture"),
+            (let_in, volume_scale, "Volume that went in")]
 
 
 def _finite(history: Table, names) -> np.ndarray:
@@ -35,13 +45,11 @@ def _finite(history: Table, names) -> np.ndarray:
 def _panels(history: Table) -> list[tuple[dict[str, str], Scale, str]]:
     """Columns with their names, unit and quantity of each panel that has something to show."""
     panels = []
-    injection = _injection(history)
-    if injection and len(_finite(history, injection)):
-        scale = pressure_scale(_finite(history, injection))
-        panels.append((injection, scale, "Pressure at the source"))
-    for name, (quantity, scale_of) in _SIZES.items():
-        if name in history and _finite(history, [name]).any():
-            panels.append(({name: ""}, scale_of(_finite(history, [name])), quantity))
+    for curves, scale_of, quantity in _groups(history):
+        present = {name: label for name, label in curves.items()
+                   if name in history and _finite(history, [name]).any()}
+        if present:
+            panels.append((present, scale_of(_finite(history, present)), quantity))
     return panels
 
 

@@ -99,7 +99,7 @@ def draw_filled(axes, frame: Frame, points: np.ndarray, field: str, view: View,
     shown = view.cracks or view.rock
     cracks = frame.cracks
     gaps, lines, segment = _shapes(frame, points)
-    wet = carries_fluid(cracks)[segment] if can_deform(frame.matrix) else np.ones(len(lines), bool)
+    wet = carries_fluid(cracks)[segment]
     gaps, lines, segment = gaps[wet[:len(gaps)]], lines[wet], segment[wet]
     axes.add_collection(LineCollection(lines, colors=OUTLINE, linewidths=3.4, capstyle="round",
                                        zorder=_ABOVE), autolim=False)

@@ -46,16 +46,10 @@ def rock_values(frame: Frame, field: str) -> np.ndarray:
 
 
 def carries_fluid(cracks: Grid) -> np.ndarray:
-    """True (n,) for each crack segment that fluid can be in. A joint past its peak that is not
-    broken may hold none; its values mean nothing then."""
-    pressure = cracks.point_data.get("pressure_Pa")
-    if pressure is None:
-        return np.zeros(len(cracks.cells), bool)
-    carries = np.isfinite(pressure[cracks.cells]).all(axis=1)
-    if "mode" in cracks.cell_data and "saturation" in cracks.point_data:
-        filled = np.nan_to_num(cracks.point_data["saturation"][cracks.cells]).any(axis=1)
-        carries &= filled | (cracks.cell_data["mode"] >= 0)
-    return carries
+    """True (n,) for each crack segment that fluid can be in: all where the rock is at rest. A joint
+    past its peak that is not broken may hold none; the values at its ends mean nothing then."""
+    wet = cracks.cell_data.get("wet")
+    return np.ones(len(cracks.cells), bool) if wet is None else wet != 0
 
 
 def crack_values(frame: Frame, field: str) -> np.ndarray:

@@ -70,6 +70,7 @@ def _cracks(folder: Path, number: int, time: float, length: float) -> None:
                {"pressure_Pa": np.where(wet, PRESSURE * (1 - 0.5 * points[:, 0] / SIZE), 0.0),
                 "saturation": wet.astype(float)},
                {"fracture": np.where(mode == 0, 0, -1).astype("<i4"), "mode": mode.astype("<i4"),
+                "wet": (mode >= 0).astype("<i4"),
                 "aperture_m": _opening(ends[:, 0], length), "flux_m2_per_s": np.full(count, 1e-3),
                 "opening_m": _opening(ends[:, 0], length), "slip_m": np.zeros(count),
                 "damage": np.where(mode < 0, 0.5, 1.0), "closed": np.zeros(count, "<i4"),
@@ -99,8 +100,10 @@ def _history(folder: Path, end: float) -> None:
         "boundary.far.reaction_x_N_per_m": -1e5 * share,
         "boundary.far.reaction_y_N_per_m": 1e3 * share,
         "boundary.far.displacement_x_m": zero, "boundary.far.displacement_y_m": zero,
-        "source.mouth.pressure_Pa": pressure, "crack_length_m": length, "crack_volume_m2": volume,
-        "mean_aperture_m": volume / length})
+        "source.mouth.pressure_Pa": pressure, "crack_length_m": length,
+        "filled_crack_length_m": 0.9 * length, "mean_aperture_m": volume / length,
+        "crack_volume_m2": volume, "crack_fluid_m2": 0.95 * volume, "leaked_m2": into - volume,
+        "source.mouth.volume_m2": into, "boundary.far.volume_m2": -0.1 * into})
 
 
 def _tables(folder: Path, end: float) -> None:

@@ -88,7 +88,7 @@ def test_joints_that_only_soften_hold_no_fluid(run):
     wet = carries_fluid(frame.cracks)
     assert np.array_equal(~wet, frame.cracks.cell_data["mode"] == -1)
     assert crack_values(frame, "pressure").min() > 0.4 * PRESSURE
-    frame.cracks.point_data["saturation"] = np.ones(len(frame.cracks.points))
+    del frame.cracks.cell_data["wet"]
     assert carries_fluid(frame.cracks).all()
 
 
@@ -145,7 +145,8 @@ def test_crack_growth_draws_the_columns_there_are(run, monkeypatch, tmp_path):
                         drawn.append((quantity, scale.unit)))
     path = draw_crack_growth(run, tmp_path / "growth.png")
     assert path.is_file() and [quantity for quantity, _ in drawn] == [
-        "Pressure at the source", "Length of cracks", "Volume of cracks", "Mean aperture"]
+        "Pressure at the source", "Length of cracks", "Volume", "Mean aperture",
+        "Volume that went in"]
     assert drawn[0][1] == "MPa" and drawn[3][1] == "µm"
     drawn.clear()
     columns = {name: run.history[name] for name in ("time_s", "crack_length_m")}
