@@ -44,7 +44,7 @@ def _draw_rock(axes, frame: Frame, points: np.ndarray, field: str, view: View) -
         values = flux_size(frame)
     else:
         at_corners = point_values(frame.matrix, field)[frame.matrix.cells]
-        fine = refine(corners, at_corners, (view.rock.high - view.rock.low) / view.colours)
+        fine = refine(corners, at_corners, view.step, smallest=view.pixel)
         corners, values = fine.corners, fine.values
     picture = PolyCollection(corners, array=values / view.rock.scale.factor, antialiased=False,
                              linewidths=0.0, rasterized=True, **_colours(_ROCK, view))

@@ -39,7 +39,7 @@ def _draw_triangles(axes, frame: Frame, points: np.ndarray, values: np.ndarray, 
                     view: View) -> PolyCollection:
     corners, shown = points[frame.matrix.cells], view.rock
     if field in VECTORS:
-        fine = refine(corners, values[frame.matrix.cells], (shown.high - shown.low) / view.colours)
+        fine = refine(corners, values[frame.matrix.cells], view.step, smallest=view.pixel)
         corners, values = fine.corners, fine.values
     colours = (_GREYS if field == "damage" else plt.get_cmap("viridis")).resampled(view.colours)
     picture = PolyCollection(corners, array=values / shown.scale.factor, antialiased=False,

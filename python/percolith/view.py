@@ -16,6 +16,7 @@ from percolith.run_directory import Frame, RunDirectory
 from percolith.vtu import Grid
 
 STILL, ANIMATED = 256, 64  # colours of the map
+_PIXELS = 700  # along the longer side of the window
 
 
 @dataclass(frozen=True)
@@ -29,6 +30,16 @@ class View:
     modes: tuple[int, ...]  # of the field `mode` that occur
     shows_modes: bool  # whether cracks are told apart by their mode whatever the field
     colours: int  # number of different ones
+
+    @property
+    def step(self) -> float:
+        """Difference of values (SI) from one colour to the next."""
+        return (self.rock.high - self.rock.low) / self.colours
+
+    @property
+    def pixel(self) -> float:
+        """About the size of a pixel, m. A part below half of one would not be painted."""
+        return float((self.window[1] - self.window[0]).max()) / _PIXELS
 
 
 def split(run: RunDirectory, frame: Frame) -> tuple[Frame, Grid | None]:
