@@ -70,11 +70,11 @@ def _draw_cracks(model: ModelFigure, frame: Frame, points: np.ndarray, field: st
 def _add_bars(model: ModelFigure, rock: PolyCollection, field: str, view: View) -> None:
     name = LABEL[field]
     if view.cracks is None:
-        model.colour_bar(rock, view.rock.scale.label(name), "max" if field == "flux" else "neither")
+        model.colour_bar(rock, view.rock.scale.label(name), view.rock.beyond)
         return
     of_cracks = plt.cm.ScalarMappable(**_colours(_CRACKS, view))
-    model.colour_bar(of_cracks, view.cracks.scale.label(f"{name} in cracks"))
-    model.colour_bar(rock, view.rock.scale.label(f"{name} in the rock"))
+    model.colour_bar(of_cracks, view.cracks.scale.label(f"{name} in cracks"), view.cracks.beyond)
+    model.colour_bar(rock, view.rock.scale.label(f"{name} in the rock"), view.rock.beyond)
 
 
 def one_a_square(places: np.ndarray, spacing: float) -> np.ndarray:

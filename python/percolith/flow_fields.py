@@ -19,6 +19,7 @@ LABEL = {
 }
 _ARRAY = {"pressure": "pressure_Pa", "head": "head_m", "saturation": "saturation"}
 _FLUX = "darcy_flux_m_per_s"
+_CUT_ROCK, _CUT_CRACKS = 0.1, 1.0  # per cent of the values at either end, where the rock deforms
 _WIDER = 2.0  # times the range of the rock: cracks get colours of their own beyond
 
 
@@ -61,32 +62,47 @@ def crack_values(frame: Frame, field: str) -> np.ndarray:
     return point_values(cracks, field)[cracks.cells[carries_fluid(cracks)]].ravel()
 
 
-def range_of_values(field: str, values: np.ndarray) -> ColourRange:
-    """The ends of the colours. The flux grows without bound towards the tips of cracks, on ever
-    finer meshes, and is cut at its last per cent. Raises RunDirectoryError where no value is
-    finite."""
+def _scale(field: str, low: float, high: float) -> Scale:
+    if field == "pressure":
+        return pressure_scale([low, high])
+    return power_scale([low, high], "m" if field == "head" else "m/s")
+
+
+def _ends(below: bool, above: bool) -> str:
+    return ("both" if above else "min") if below else ("max" if above else "neither")
+
+
+def range_of_values(field: str, values: np.ndarray, cut: float = 0.0) -> ColourRange:
+    """The ends of the colours; beyond them lie at most `cut` per cent of the values on either side.
+    The flux grows without bound towards the tips of cracks, on ever finer meshes, and is cut at its
+    last per cent. Raises RunDirectoryError where no value is finite."""
     if not np.isfinite(values).any():
         raise RunDirectoryError(f"{LABEL[field].lower()}: no finite value")
     if field == "saturation":
         return ColourRange(0.0, 1.0, Scale(1.0, ""))
-    low, high = float(np.nanmin(values)), float(np.nanmax(values))
+    least, low, high, most = np.nanpercentile(values, [0.0, cut, 100.0 - cut, 100.0]).tolist()
     if field == "flux":
-        low, high = 0.0, float(np.nanpercentile(values, 99))
+        least, low, high = 0.0, 0.0, float(np.nanpercentile(values, 99))
+    beyond = _ends(least < low, field == "flux" or most > high)
     low, high = widened(low, high)
-    scale = {"pressure": pressure_scale, "head": lambda v: power_scale(v, "m"),
-             "flux": lambda v: power_scale(v, "m/s")}[field](np.array([low, high]))
-    return ColourRange(low, high, scale)
+    return ColourRange(low, high, _scale(field, low, high), beyond)
 
 
 def rock_and_crack_ranges(field: str, rock: np.ndarray, cracks: np.ndarray,
-                          may_differ: bool) -> tuple[ColourRange, ColourRange | None]:
-    """The ends of the colours of the rock and, where they differ, of the cracks. Where fluid is
-    forced into tight rock, the pressure in cracks is so far above that of the rock that one range
-    would show the rock in one colour."""
-    both = range_of_values(field, np.concatenate([rock, cracks]))
-    if not may_differ or field != "pressure" or not np.isfinite(cracks).any():
-        return both, None
-    of_rock = range_of_values(field, rock)
-    if both.high - both.low <= _WIDER * (of_rock.high - of_rock.low):
-        return both, None
-    return of_rock, range_of_values(field, cracks)
+                          deforms: bool) -> tuple[ColourRange, ColourRange | None]:
+    """The ends of the colours of the rock and, where they differ, of the cracks. Rock that deforms
+    squeezes the fluid in a few triangles to pressures far above all others, for which colours are
+    not stretched. Where fluid is forced into tight rock, the pressure in cracks is so far above
+    that of the rock that one range would show the rock in one colour."""
+    if not deforms or field not in ("pressure", "head"):
+        return range_of_values(field, np.concatenate([rock, cracks])), None
+    of_rock = range_of_values(field, rock, _CUT_ROCK)
+    if not np.isfinite(cracks).any():
+        return of_rock, None
+    of_cracks = range_of_values(field, cracks, _CUT_CRACKS)
+    low, high = min(of_rock.low, of_cracks.low), max(of_rock.high, of_cracks.high)
+    if high - low > _WIDER * (of_rock.high - of_rock.low):
+        return of_rock, of_cracks
+    both = np.concatenate([rock, cracks])
+    beyond = _ends(np.nanmin(both) < low, np.nanmax(both) > high)
+    return ColourRange(low, high, _scale(field, low, high), beyond), None

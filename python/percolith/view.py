@@ -59,7 +59,7 @@ def _ranges(field: str, rock: list[np.ndarray], cracks: list[np.ndarray],
         return None, None
     joined = np.concatenate(rock)
     if field in FIELDS:
-        return rock_and_crack_ranges(field, joined, np.concatenate(cracks), may_differ=deforms)
+        return rock_and_crack_ranges(field, joined, np.concatenate(cracks), deforms)
     return range_of_values(field, joined), None
 
 
