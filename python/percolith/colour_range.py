@@ -12,8 +12,8 @@ from percolith.units import Scale
 
 @dataclass(frozen=True)
 class ColourRange:
-    """The values (SI) at the ends of the colours and the unit they are shown in; at which ends there
-    are values beyond: "neither", "min", "max" or "both"."""
+    """The values (SI) at the ends of the colours and the unit they are shown in; at which ends
+    there are values beyond: "neither", "min", "max" or "both"."""
 
     low: float
     high: float

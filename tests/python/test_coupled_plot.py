@@ -96,7 +96,7 @@ def test_cracks_have_colours_of_their_own_where_their_pressure_is_far_above(run)
     view = view_of_frame(run, run.frame(), "pressure")
     assert view.rock.high == pytest.approx(0.2 * PRESSURE, rel=0.02)
     assert view.cracks.high == pytest.approx(PRESSURE, rel=0.02)
-    rock, cracks = np.array([0.0, 6e6]), np.array([8e6])
+    rock, cracks = np.array([0.0, 6e6]), np.array([0.0, 8e6])
     assert rock_and_crack_ranges("pressure", rock, cracks, True)[1] is None
     assert rock_and_crack_ranges("pressure", rock / 2, cracks, True)[1] is not None
     both, none = rock_and_crack_ranges("pressure", rock / 2, cracks, False)
