@@ -36,9 +36,15 @@ def automatic_scale(matrix: Grid) -> float:
     return float(power * max(step for step in (1, 2, 5) if step * power <= wanted * (1 + 1e-9)))
 
 
+def can_deform(matrix: Grid) -> bool:
+    """False in a run of flow through rock at rest."""
+    return "displacement_m" in matrix.point_data
+
+
 def deformed_points(matrix: Grid, scale: float) -> np.ndarray:
-    """Places (m) of the points with their displacements times `scale`, (n, 2)."""
-    return matrix.points + scale * displacement(matrix)
+    """Places (m) of the points with their displacements times `scale`, (n, 2); as they are where
+    the rock is at rest."""
+    return matrix.points + scale * displacement(matrix) if can_deform(matrix) else matrix.points
 
 
 class CrackFaces(NamedTuple):
@@ -66,6 +72,29 @@ def crack_faces(frame: Frame) -> CrackFaces:
     order = np.argsort(segment_key, kind="stable")
     found = np.searchsorted(segment_key[order], edge_key[chosen])
     return CrackFaces(edges[chosen], order[found], chosen % len(matrix.cells))
+
+
+class CrackGaps(NamedTuple):
+    """The space between the two faces of crack segments, counter-clockwise or clockwise: from the
+    first to the second end on one face and back on the other."""
+
+    corners: np.ndarray  # indices (n, 4) of matrix points
+    segment: np.ndarray  # crack segment (n,)
+
+
+def crack_gaps(frame: Frame) -> CrackGaps:
+    """The gap of each segment that lies on the edge of a triangle; without width where it has but
+    one face."""
+    faces, segment, _ = crack_faces(frame)
+    order = np.argsort(segment, kind="stable")
+    faces, segment = faces[order], segment[order]
+    if len(faces):
+        first_end = frame.cracks.points[frame.cracks.cells[segment, 0]]
+        turned = (frame.matrix.points[faces[:, 0]] != first_end).any(axis=1)
+        faces = np.where(turned[:, None], faces[:, ::-1], faces)
+    numbers, first, count = np.unique(segment, return_index=True, return_counts=True)
+    last = first + count - 1
+    return CrackGaps(np.hstack([faces[first], faces[last][:, ::-1]]), numbers)
 
 
 def damage_since_the_start(frame: Frame) -> np.ndarray:

@@ -51,11 +51,16 @@ def edge_pieces(values: np.ndarray, step: float, largest_count: int = LARGEST_CO
 
 
 def refine(corners: np.ndarray, values: np.ndarray, step: float,
-           largest_count: int = LARGEST_COUNT) -> FineTriangles:
+           largest_count: int = LARGEST_COUNT, smallest: float = 0.0) -> FineTriangles:
     """Cuts triangles with the given corners (n, 3, 2) and values at them (n, 3) into flat ones that
     carry the linear interpolation of the values at their centroids. `step` is the difference of
-    values that may be seen. Triangles share nothing, so a jump across a crack stays a jump."""
+    values that may be seen, `smallest` the length (in the unit of the corners) that may be: no edge
+    is cut into pieces shorter than that. Triangles share nothing, so a jump across a crack stays a
+    jump."""
     pieces = edge_pieces(values, step, largest_count)
+    if smallest > 0.0:
+        longest = np.hypot(*(corners - np.roll(corners, 1, axis=1)).T).max(axis=0)
+        pieces = np.minimum(pieces, np.maximum(longest / smallest, 1.0).astype(int))
     fine_corners, fine_values = [], []
     for number in np.unique(pieces):
         chosen = pieces == number

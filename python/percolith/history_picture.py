@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the history of a run: mass balance, its error, extremes of the pressure, rates."""
+"""Draws the history of flow: mass balance, its error, extremes of the pressure, rates."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ _LEGEND_WIDTH = 100  # letters of small type across a panel; a handle takes 13
 
 def draw_curves(axes, history: Table, time: Scale, curves: dict[str, str], scale: Scale,
                 quantity: str) -> None:
-    """Draws columns of a history over time; `curves` gives each of them its name in the legend."""
+    """Draws columns of a history over time; `curves` gives each of them its name in the legend,
+    which is left out where they have none."""
     moments = history["time_s"] / time.factor
     marker = "." if len(history) <= 100 else ""
     colours = plt.cm.viridis(np.linspace(0.0, 0.85, max(len(curves), 2)))
@@ -25,6 +26,8 @@ def draw_curves(axes, history: Table, time: Scale, curves: dict[str, str], scale
         axes.plot(moments, history[column] / scale.factor, label=label, color=colours[i],
                   linestyle=styles[i % 4], marker=marker)
     axes.set_ylabel(scale.label(quantity))
+    if not any(curves.values()):
+        return
     # Above the panel: no place inside is free of curves in every run.
     columns = max(1, _LEGEND_WIDTH // (13 + max(map(len, curves.values()))))
     rows = -(-len(curves) // columns)

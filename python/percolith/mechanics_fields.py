@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from percolith.colour_range import ColourRange, widened
 from percolith.deformation import damage_since_the_start
-from percolith.field_picture import ColourRange
 from percolith.rigid_bodies import rigid_triangles, split_off_rigid_bodies
 from percolith.run_directory import Frame, RunDirectory, RunDirectoryError
 from percolith.units import Scale, length_scale, power_scale, pressure_scale
@@ -70,13 +70,5 @@ def range_of_values(field: str, values: np.ndarray) -> ColourRange:
         high = (most if 0.0 < most < high / _FAR else high) or 1.0
         scale = length_scale([high]) if field == "displacement" else power_scale([high], "m/s")
         return ColourRange(0.0, high, scale)
-    low, high = (float(end) for end in np.nanpercentile(values, [1, 99]))
-    if high - low <= 1e-12 * max(abs(low), abs(high)):
-        low, high = low - 0.5 * (abs(low) or 1.0), high + 0.5 * (abs(high) or 1.0)
+    low, high = widened(*(float(end) for end in np.nanpercentile(values, [1, 99])))
     return ColourRange(low, high, pressure_scale([low, high]))
-
-
-def range_of_frames(run: RunDirectory, field: str) -> ColourRange:
-    """The ends of the colours over all frames of a run."""
-    rocks = (rock_and_bodies(run, run.frame(time))[0] for time in run.times)
-    return range_of_values(field, np.concatenate([values_of(rock, field) for rock in rocks]))

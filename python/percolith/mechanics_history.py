@@ -17,7 +17,8 @@ from percolith.units import Scale, length_scale, prefix_scale, time_scale
 
 _HELD = {"kinetic_J_per_m": "kinetic", "elastic_J_per_m": "elastic", "joint_J_per_m": "joints",
          "contact_J_per_m": "contact"}
-_EXCHANGED = {"external_work_J_per_m": "external work", "gravity_J_per_m": "gravity",
+_EXCHANGED = {"external_work_J_per_m": "external work", "fluid_work_J_per_m": "fluid",
+              "gravity_J_per_m": "gravity",
               "fracture_J_per_m": "fracture", "friction_J_per_m": "friction",
               "damping_J_per_m": "damping", "absorbed_J_per_m": "absorbed"}
 _SMALL = 1e-3  # share of the largest work of a reaction below which a boundary counts as not loaded

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -13,14 +12,10 @@ from matplotlib.colors import LinearSegmentedColormap, ListedColormap
 from matplotlib.lines import Line2D
 from matplotlib.patheffects import Normal, Stroke
 
-from percolith.colours import BLACK, BLUE, GREEN, ORANGE, RED, distinct_colour
-from percolith.deformation import (
-    FROM_THE_START,
-    automatic_scale,
-    crack_faces,
-    deformed_points,
-)
-from percolith.field_picture import ColourRange, model_figure, one_a_square
+from percolith.colours import distinct_colour
+from percolith.crack_picture import MODES, draw_modes, draw_thin, mode_columns, mode_handles
+from percolith.deformation import deformed_points
+from percolith.field_picture import draw_bodies, one_a_square
 from percolith.fine_triangles import refine
 from percolith.mechanics_fields import (
     LABEL,
@@ -28,46 +23,27 @@ from percolith.mechanics_fields import (
     VECTORS,
     array_of,
     fragment_count,
-    range_of_values,
-    rock_and_bodies,
     values_of,
 )
+from percolith.model_figure import ModelFigure, moment, shape, wrapped
 from percolith.run_directory import Frame, RunDirectory
-from percolith.units import format_time, time_scale
-from percolith.vtu import Grid
+from percolith.view import View, split, view_of_frame
 
-# Number in the field `mode`, name and colour of the joints that a picture of damage shows.
-MODES = {
-    -1: ("past its peak", ORANGE),
-    FROM_THE_START: ("broken from the start", BLACK),
-    1: ("tensile", BLUE),
-    2: ("shear", RED),
-    3: ("mixed", GREEN),
-}
+__all__ = ["MODES", "draw_mechanics", "mechanics_figure"]
+
 _TENSION, _COMPRESSION = "#D7191C", "#2C4FBB"
-_COLOURS = 256  # of the colour map
-_LEGEND_ROW = 0.3  # inches below the picture
-_BODY = "#B4B4B4"  # rigid bodies, which no field of the rock describes
 _GREYS = LinearSegmentedColormap.from_list("damage", ["#F4F4F4", "#7A7A7A"])
 
 
-def _draw_bodies(axes, bodies: Grid, scale: float) -> None:
-    axes.add_collection(PolyCollection(deformed_points(bodies, scale)[bodies.cells],
-                                       facecolors=_BODY, antialiased=False, linewidths=0.0,
-                                       rasterized=True), autolim=False)
-
-
 def _draw_triangles(axes, frame: Frame, points: np.ndarray, values: np.ndarray, field: str,
-                    shown: ColourRange) -> PolyCollection:
-    corners = points[frame.matrix.cells]
+                    view: View) -> PolyCollection:
+    corners, shown = points[frame.matrix.cells], view.rock
     if field in VECTORS:
-        fine = refine(corners, values[frame.matrix.cells], (shown.high - shown.low) / _COLOURS)
+        fine = refine(corners, values[frame.matrix.cells], view.step, smallest=view.pixel)
         corners, values = fine.corners, fine.values
-    factor = shown.scale.factor
-    colours = _GREYS if field == "damage" else "viridis"
-    picture = PolyCollection(corners, array=values / factor, antialiased=False, linewidths=0.0,
-                             rasterized=True, cmap=colours,
-                             norm=plt.Normalize(shown.low / factor, shown.high / factor))
+    colours = (_GREYS if field == "damage" else plt.get_cmap("viridis")).resampled(view.colours)
+    picture = PolyCollection(corners, array=values / shown.scale.factor, antialiased=False,
+                             linewidths=0.0, rasterized=True, cmap=colours, norm=shown.norm)
     axes.add_collection(picture, autolim=False)
     return picture
 
@@ -85,38 +61,10 @@ def _draw_fragments(axes, frame: Frame, points: np.ndarray) -> None:
         rasterized=True, cmap=colours, norm=plt.Normalize(-0.5, len(count) - 0.5)), autolim=False)
 
 
-def _draw_cracks(axes, frame: Frame, points: np.ndarray) -> None:
-    """Both faces of every broken joint, thin and dark."""
-    faces, segment, _ = crack_faces(frame)
-    if len(faces):
-        broken = array_of(frame.cracks.cell_data, "mode")[segment] >= 0
-        axes.add_collection(LineCollection(points[faces[broken]], colors="#202020",
-                                           linewidths=0.7, capstyle="round"), autolim=False)
-
-
-def _draw_modes(figure, axes, frame: Frame, points: np.ndarray) -> None:
-    """Both faces of every joint past its peak in the colour of its mode, with a legend."""
-    faces, segment, _ = crack_faces(frame)
-    if not len(faces):
-        return
-    mode = array_of(frame.cracks.cell_data, "mode")
-    handles = []
-    for number, (name, colour) in MODES.items():
-        if not (mode == number).any():
-            continue
-        width = 1.0 if number == -1 else 1.8
-        axes.add_collection(LineCollection(points[faces[mode[segment] == number]], colors=colour,
-                                           linewidths=width, capstyle="round"), autolim=False)
-        handles.append(Line2D([], [], color=colour, linewidth=2.2,
-                              label=f"{name} ({(mode == number).sum()})"))
-    columns = 2 if len(handles) == 4 else min(3, len(handles))
-    figure.legend(handles=handles, loc="outside lower center", ncols=columns, frameon=False,
-                  fontsize="small")
-
-
-def _draw_crosses(figure, axes, frame: Frame, points: np.ndarray, field: str) -> None:
+def _draw_crosses(axes, frame: Frame, points: np.ndarray, field: str) -> list[Line2D]:
     """Principal stresses at about 20 places across the model: direction, size and sign. The stress
-    of the picture sets the length; the other is cut where it would be longer than a place."""
+    of the picture sets the length; the other is cut where it would be longer than a place. Returns
+    the entries of the legend."""
     data = frame.matrix.cell_data
     stress = np.stack([array_of(data, name) for name in STRESSES.values()], axis=1)
     direction = array_of(data, "principal_direction")
@@ -138,53 +86,61 @@ def _draw_crosses(figure, axes, frame: Frame, points: np.ndarray, field: str) ->
         axes.add_collection(LineCollection(
             np.concatenate(lines), colors=colour, linewidths=1.3,
             path_effects=[Stroke(linewidth=2.6, foreground="white"), Normal()]), autolim=False)
-    handles = [Line2D([], [], color=_TENSION, linewidth=2.2, label="tension"),
-               Line2D([], [], color=_COMPRESSION, linewidth=2.2, label="compression")]
-    figure.legend(handles=handles, loc="outside lower center", ncols=2, frameon=False,
-                  fontsize="small")
+    return [Line2D([], [], color=_TENSION, linewidth=2.2, label="tension"),
+            Line2D([], [], color=_COMPRESSION, linewidth=2.2, label="compression")]
 
 
-def _title(run: RunDirectory, frame: Frame, field: str, scale: float, width: float) -> str:
-    """What the picture shows, in lines that fit a figure of `width` inches."""
+def _title(run: RunDirectory, frame: Frame, field: str, view: View, figure) -> str:
+    """What the picture shows, in lines that fit the figure."""
     name = LABEL[field].split(",")[0]
     name = f"{fragment_count(frame)} fragments" if field == "fragments" else name
-    moment = format_time(frame.time, time_scale(run.times))
-    shape = "true to scale" if scale == 1.0 else f"displacements × {scale:g}"
-    lines = textwrap.wrap(run.title, int(10 * width)) + [f"{name}, t = {moment}, {shape}"]
-    return "\n".join(lines)
+    return "\n".join(wrapped(run.title, figure)
+                     + [f"{name}, {moment(run, frame)}, {shape(view)}"])
+
+
+def _draw_values(model: ModelFigure, frame: Frame, points: np.ndarray, field: str,
+                 view: View) -> None:
+    if field == "fragments":
+        _draw_fragments(model.axes, frame, points)
+        return
+    values = values_of(frame, field)
+    picture = _draw_triangles(model.axes, frame, points, values, field, view)
+    beyond = "max" if field in VECTORS and np.nanmax(values) > view.rock.high else "neither"
+    model.colour_bar(picture, view.rock.scale.label(LABEL[field]),
+                     "both" if field in STRESSES else beyond)
+
+
+def mechanics_figure(run: RunDirectory, frame: Frame, field: str, view: View):
+    """A figure of `field` at the time of `frame` on the deformed shape. Rigid bodies are grey.
+    Raises RunDirectoryError where the run has no such field."""
+    shows_modes = field == "damage" or view.shows_modes
+    has_crosses = field in STRESSES and not shows_modes
+    rows = 2 if field == "damage" or len(view.modes) > 3 else 1
+    model = ModelFigure(view.window, rows if shows_modes else int(has_crosses))
+    title = _title(run, frame, field, view, model.figure)
+    frame, bodies = split(run, frame)
+    points = deformed_points(frame.matrix, view.scale)
+    draw_bodies(model.axes, bodies, view.scale)
+    _draw_values(model, frame, points, field, view)
+    if shows_modes:
+        draw_modes(model.axes, frame, points, is_edged=field != "damage")
+        model.legend(mode_handles(frame, view.modes), mode_columns(len(view.modes)))
+    else:
+        draw_thin(model.axes, frame, points)
+    if has_crosses:
+        model.legend(_draw_crosses(model.axes, frame, points, field), 2)
+    model.axes.set_title(title, fontsize=11)
+    return model.figure
 
 
 def draw_mechanics(run: RunDirectory, frame: Frame, field: str, path: Path,
-                   scale: float | None = None, colour_range: ColourRange | None = None) -> Path:
+                   scale: float | None = None, view: View | None = None) -> Path:
     """Writes the picture of `field` at the time of `frame` to `path` and returns it. `scale`
-    multiplies the displacements; None stands for `automatic_scale`. Rigid bodies are grey. Raises
-    RunDirectoryError where the run has no such field."""
-    scale = automatic_scale(frame.matrix) if scale is None else scale
-    figure, axes, is_wide = model_figure(deformed_points(frame.matrix, scale))
-    title = _title(run, frame, field, scale, figure.get_figwidth())
-    frame, bodies = rock_and_bodies(run, frame)
-    points = deformed_points(frame.matrix, scale)
-    _draw_bodies(axes, bodies, scale)
-    legend_rows = 2 if field == "damage" else 1 if field in STRESSES else 0
-    figure.set_figheight(figure.get_figheight() + legend_rows * _LEGEND_ROW)
-    if field == "fragments":
-        _draw_fragments(axes, frame, points)
-    else:
-        values = values_of(frame, field)
-        shown = colour_range or range_of_values(field, values)
-        picture = _draw_triangles(axes, frame, points, values, field, shown)
-        beyond = "max" if field in VECTORS and np.nanmax(values) > shown.high else "neither"
-        figure.colorbar(picture, ax=axes, extend="both" if field in STRESSES else beyond,
-                        label=shown.scale.label(LABEL[field]),
-                        **({"orientation": "horizontal", "aspect": 40, "shrink": 0.7} if is_wide
-                           else {"shrink": 0.85}))
-    if field == "damage":
-        _draw_modes(figure, axes, frame, points)
-    else:
-        _draw_cracks(axes, frame, points)
-    if field in STRESSES:
-        _draw_crosses(figure, axes, frame, points, field)
-    axes.set_title(title, fontsize=11)
+    multiplies the displacements; None stands for `automatic_scale`. A `view` gives the scale and
+    all else that the pictures of a series share. Raises RunDirectoryError where the run has no
+    such field."""
+    view = view or view_of_frame(run, frame, field, scale)
+    figure = mechanics_figure(run, frame, field, view)
     figure.savefig(path, dpi=120, pil_kwargs={"optimize": True})
     plt.close(figure)
     return path

@@ -24,8 +24,9 @@ _MECHANICS = ("displacement_x_m", "displacement_y_m", "velocity_x_m_per_s", "vel
 
 
 def _column(table: Table, field: str) -> str:
-    """The column of `field`; the pressure where the probe has none."""
-    wanted = _COLUMN[field]
+    """The column of `field`; the pressure where the probe has none, or the field is none of flow.
+    """
+    wanted = _COLUMN.get(field, "pressure_Pa")
     if field == "flux" and wanted not in table:
         wanted = "flux_x_m2_per_s"
     return wanted if wanted in table else "pressure_Pa"
@@ -71,19 +72,19 @@ def _draw_point(axes, table: Table, column: str) -> None:
 
 
 def _panels(run: RunDirectory, field: str) -> list[tuple[str, Table, str]]:
-    """Probe, its table and column of each panel: `field` of every probe, in mechanics every
+    """Probe, its table and column of each panel: of flow `field` of every probe, of mechanics every
     component of displacement, velocity and stress."""
     panels = []
     for name in run.probe_names:
         table = run.probe(name)
-        columns = ([column for column in _MECHANICS if column in table] if run.is_mechanics
-                   else [_column(table, field)])
+        columns = [_column(table, field)] if "pressure_Pa" in table else []
+        columns += [column for column in _MECHANICS if column in table]
         panels += [(name, table, column) for column in columns]
     return panels
 
 
 def draw_probes(run: RunDirectory, field: str, path: Path) -> Path:
-    """Writes one panel a probe to `path` and returns it, in mechanics one a probe and component,
+    """Writes one panel a probe to `path` and returns it, of mechanics one a probe and component,
     whatever the field."""
     panels = _panels(run, field)
     columns = 1 if len(panels) == 1 else 2

@@ -59,6 +59,12 @@ class Table:
         return self.where(self["time_s"] == chosen)
 
 
+def column_names(path: str | os.PathLike) -> list[str]:
+    """The names in the first line of a CSV file that is no comment; none in an empty file."""
+    with open(path, newline="") as file:
+        return next(csv.reader(line for line in file if not line.startswith("#")), [])
+
+
 def read_table(path: str | os.PathLike, words: tuple[str, ...] = ()) -> Table:
     """Reads a CSV file with a line of names; lines that start with `#` are comments. Columns named
     in `words` hold text, all others numbers, where a field that is empty becomes NaN. Raises
@@ -102,8 +108,8 @@ class RunDirectory:
 
     @cached_property
     def summary(self) -> dict:
-        """What summary.json says: end time, steps, wall time; mass balance and extremes, or the
-        results of mechanics."""
+        """What summary.json says: end time, steps, wall time; of flow its mass balance and
+        extremes, of mechanics its results."""
         with open(self._file("summary.json"), encoding="utf-8") as file:
             return json.load(file)
 
@@ -121,7 +127,7 @@ class RunDirectory:
     def events(self) -> Table:
         """events.csv: one row a broken joint, in the order of time; `mode` and `material` are text.
         Raises RunDirectoryError in a run of flow."""
-        if not self.is_mechanics:
+        if not self.has_mechanics:
             raise RunDirectoryError(f"{self.path}: a run of flow has no events")
         return read_table(self._file("events.csv"), words=("mode", "material"))
 
@@ -129,13 +135,40 @@ class RunDirectory:
     def fragments(self) -> Table:
         """fragments.csv: one row a fragment and output time. Raises RunDirectoryError in a run of
         flow."""
-        if not self.is_mechanics:
+        if not self.has_mechanics:
             raise RunDirectoryError(f"{self.path}: a run of flow has no fragments")
         return read_table(self._file("fragments.csv"))
 
+    @cached_property
+    def quantities(self) -> frozenset[str]:
+        """Names of what there is: the arrays of the first frame of the rock and the columns of the
+        history."""
+        names: set[str] = set()
+        if self.times:
+            matrix = self.frame(self.times[0]).matrix
+            names |= matrix.point_data.keys() | matrix.cell_data.keys()
+        if (self.path / "history.csv").is_file():
+            names |= set(column_names(self.path / "history.csv"))
+        return frozenset(names)
+
     @property
-    def is_mechanics(self) -> bool:
-        return self.resolved.get("model", {}).get("physics") == "mechanics"
+    def has_flow(self) -> bool:
+        """Whether fluid flows through the rock. Tells what there is, whatever the physics is
+        called; of a run that has left nothing yet, what its case asks for."""
+        if self.quantities:
+            return not self.quantities.isdisjoint(("pressure_Pa", "stored_m2"))
+        return self._physics != "mechanics"
+
+    @property
+    def has_mechanics(self) -> bool:
+        """Whether the rock deforms; see `has_flow`."""
+        if self.quantities:
+            return not self.quantities.isdisjoint(("displacement_m", "kinetic_J_per_m"))
+        return self._physics != "seepage"
+
+    @property
+    def _physics(self) -> str:
+        return self.resolved.get("model", {}).get("physics", "seepage")
 
     @property
     def title(self) -> str:
@@ -143,7 +176,7 @@ class RunDirectory:
 
     @property
     def is_steady(self) -> bool:
-        return not self.is_mechanics and self.resolved.get("time", {}).get("scheme") == "steady"
+        return not self.has_mechanics and self.resolved.get("time", {}).get("scheme") == "steady"
 
     @property
     def probe_names(self) -> list[str]:

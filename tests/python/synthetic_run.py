@@ -118,13 +118,13 @@ def _write_frame(folder: Path, number: int, time: float, load: float, cracked: b
                     "opening_m": np.full(count, 1e-6)}, time)
 
 
-def _write_series(folder: Path, name: str, frames: dict[int, float]) -> None:
+def write_series(folder: Path, name: str, frames: dict[int, float]) -> None:
     entries = "".join(f'<DataSet timestep="{time}" file="fields/{name}_{number:06d}.vtu"/>'
                       for number, time in frames.items())
     (folder / f"{name}.pvd").write_text(f"<VTKFile><Collection>{entries}</Collection></VTKFile>")
 
 
-def _write_table(path: Path, columns: dict) -> None:
+def write_table(path: Path, columns: dict) -> None:
     path.parent.mkdir(exist_ok=True)
     rows = zip(*columns.values())
     lines = [",".join(columns)] + [",".join(str(value) for value in row) for row in rows]
@@ -142,7 +142,7 @@ def _write_history(folder: Path, load: float, end: float) -> None:
     friction = 3 * joint * share
     work = np.concatenate([[0], np.cumsum(np.diff(moved) * 0.5 * (force[1:] + force[:-1]))])
     zero = np.zeros_like(time)
-    _write_table(folder / "history.csv", {
+    write_table(folder / "history.csv", {
         "time_s": time, "step": np.arange(200), "step_size_s": zero + 1e-8,
         "kinetic_J_per_m": 0.01 * elastic * share, "elastic_J_per_m": elastic,
         "joint_J_per_m": joint, "fracture_J_per_m": 2 * joint,
@@ -161,7 +161,7 @@ def _write_events(folder: Path, count: int, end: float) -> None:
     random = np.random.default_rng(1)
     magnitude = -6.0 + random.exponential(np.log10(np.e) / 1.3, count)
     along = random.uniform(0, WIDTH, count)
-    _write_table(folder / "events.csv", {
+    write_table(folder / "events.csv", {
         "time_s": np.sort(end * (0.6 + 0.4 * random.uniform(size=count))),
         "step": np.arange(count), "x_m": along,
         "y_m": 0.025 + 1.2 * along + random.normal(0, 0.003, count),
@@ -175,7 +175,7 @@ def _write_probe(folder: Path, load: float, end: float) -> None:
     height = np.linspace(0, HEIGHT, 30)
     share = np.repeat([0.0, 0.5, 1.0], 30)
     y = np.tile(height, 3)
-    _write_table(folder / "probes/axis.csv", {
+    write_table(folder / "probes/axis.csv", {
         "time_s": end * share, "x_m": np.full(90, WIDTH / 2), "y_m": y,
         "displacement_x_m": 0.25 * load * share * WIDTH / 2, "displacement_y_m": -load * share * y,
         "stress_yy_Pa": -30e9 * load * share})
@@ -193,9 +193,9 @@ def write_mechanics_run(folder: Path, load: float = 1e-3, events: int = 150,
         {"end_time_s": end, "reached_rest": False, "mechanics": {"energy_error": 1e-4}}))
     _write_frame(folder, 0, 0.0, 0.0, False)
     _write_frame(folder, 1, end, load, cracked)
-    _write_series(folder, "matrix", {0: 0.0, 1: end})
+    write_series(folder, "matrix", {0: 0.0, 1: end})
     if cracked:
-        _write_series(folder, "cracks", {1: end})
+        write_series(folder, "cracks", {1: end})
     _write_history(folder, load, end)
     _write_events(folder, events, end)
     _write_probe(folder, load, end)

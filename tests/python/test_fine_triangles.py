@@ -72,3 +72,11 @@ def test_every_colour_drawn_lies_on_the_colour_map(tmp_path):
     distance = np.abs(drawn[:, None] - colour_map[None]).max(axis=2).min(axis=1)
     assert len(drawn) > 100
     assert distance.max() <= 1
+
+
+def test_no_part_is_too_small_to_be_painted():
+    fine = refine(TWO[:1], np.array([[0.0, 0.0, 1.0]]), step=1e-3, smallest=0.1)
+    longest = np.hypot(*(TWO[0] - np.roll(TWO[0], 1, axis=0)).T).max()
+    assert len(fine.values) == int(longest / 0.1) ** 2
+    coarse = refine(TWO[:1], np.array([[0.0, 0.0, 1.0]]), step=1e-3, smallest=100.0)
+    assert len(coarse.values) == 1

@@ -67,7 +67,7 @@ def test_a_probe_in_an_excavation_is_drawn_as_far_as_there_was_rock(tmp_path, ca
 
 def test_tables(directory):
     run = RunDirectory(directory)
-    assert run.is_mechanics and not run.is_steady
+    assert run.has_mechanics and not run.has_flow and not run.is_steady
     assert run.history["external_work_J_per_m"][-1] > 0
     assert len(run.events) == 150
     assert set(run.events["mode"]) == {"tensile", "shear", "mixed"}

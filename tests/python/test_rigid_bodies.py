@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 from percolith import RunDirectory
 from percolith.deformation import damage_since_the_start
-from percolith.mechanics_fields import range_of_frames, rock_and_bodies, values_of
+from percolith.mechanics_fields import rock_and_bodies, values_of
 from percolith.mechanics_picture import draw_mechanics
 from percolith.rigid_bodies import rigid_triangles
+from percolith.view import view_of_times
 from synthetic_run import write_mechanics_run
 from test_mechanics_plot import share_of
 
@@ -100,5 +101,5 @@ def test_the_colours_end_where_the_rock_does(tmp_path):
     moved = frame.matrix.point_data["displacement_m"] = (
         frame.matrix.point_data["displacement_m"].copy())
     moved[frame.matrix.cells[frame.matrix.cell_data["region"] == 1]] = 1.0
-    assert range_of_frames(run, "displacement").high == pytest.approx(
+    assert view_of_times(run, run.times, "displacement").rock.high == pytest.approx(
         values_of(alone, "displacement").max())

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws how fluid drives cracks: the pressure at which it is injected; length, volume and aperture
+of the cracks; where the fluid went."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from percolith.history_picture import draw_curves
+from percolith.run_directory import RunDirectory, Table
+from percolith.units import Scale, length_scale, power_scale, pressure_scale, time_scale
+
+_PRESSURE, _VOLUME = ".pressure_Pa", ".volume_m2"
+_LENGTHS = {"crack_length_m": "broken", "filled_crack_length_m": "filled"}
+_VOLUMES = {"crack_volume_m2": "space in cracks", "crack_fluid_m2": "fluid in cracks"}
+
+
+def _ending(history: Table, ending: str) -> dict[str, str]:
+    """The columns that end so, with what stands before it."""
+    return {name: name.removesuffix(ending) for name in history.columns if name.endswith(ending)}
+
+
+def _groups(history: Table) -> list[tuple[dict[str, str], Callable[[np.ndarray], Scale], str]]:
+    """Columns with their names, choice of unit and quantity of each panel."""
+    def volume_scale(values: np.ndarray) -> Scale:
+        return power_scale(values, "m³/m")
+
+    let_in = _ending(history, _VOLUME) | {"leaked_m2": "from cracks into the rock"}
+    return [(_ending(history, _PRESSURE), pressure_scale, "Pressure at the source"),
+            (_LENGTHS, length_scale, "Length of cracks"),
+            (_VOLUMES, volume_scale, "Volume"),
+            ({"mean_aperture_m": ""}, length_scale, "Mean aperture"),
+            (let_in, volume_scale, "Volume that went in")]
+
+
+def _finite(history: Table, names) -> np.ndarray:
+    joined = np.concatenate([history[name] for name in names])
+    return joined[np.isfinite(joined)]
+
+
+def _panels(history: Table) -> list[tuple[dict[str, str], Scale, str]]:
+    """Columns with their names, unit and quantity of each panel that has something to show."""
+    panels = []
+    for curves, scale_of, quantity in _groups(history):
+        present = {name: label for name, label in curves.items()
+                   if name in history and _finite(history, [name]).any()}
+        if present:
+            panels.append((present, scale_of(_finite(history, present)), quantity))
+    return panels
+
+
+def draw_crack_growth(run: RunDirectory, path: Path) -> Path | None:
+    """Writes a panel a quantity to `path` and returns it. None, and no file, in a run whose history
+    has none of them."""
+    history = run.history
+    panels = _panels(history)
+    if not panels:
+        return None
+    time = time_scale(history["time_s"])
+    columns = min(len(panels), 2)
+    rows = -(-len(panels) // columns)
+    figure, grid = plt.subplots(rows, columns, figsize=(5.5 * columns, 3.3 * rows + 0.4),
+                                layout="constrained", squeeze=False)
+    for axes, (curves, scale, quantity) in zip(grid.flat, panels):
+        draw_curves(axes, history, time, curves, scale, quantity)
+        if not (_finite(history, curves) < 0.0).any():
+            axes.set_ylim(bottom=0.0)
+        axes.set_xlabel(time.label("Time"))
+        axes.grid(alpha=0.3)
+    for axes in grid.flat[len(panels):]:
+        axes.set_visible(False)
+    figure.suptitle(run.title, fontsize=11)
+    figure.savefig(path, dpi=120)
+    plt.close(figure)
+    return path

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A figure with the axes of a model, its colour bars, and its title."""
+
+from __future__ import annotations
+
+import textwrap
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from percolith.run_directory import Frame, RunDirectory
+from percolith.units import format_time, time_scale
+from percolith.view import View
+
+_LEGEND_ROW = 0.3  # inches below the picture
+_BAR = 0.9  # inches for a second colour bar
+
+
+class ModelFigure:
+    """A figure that suits the shape of the model, with its axes; wide models get the bars below.
+    """
+
+    def __init__(self, window: np.ndarray, legend_rows: int = 0, second_bar: bool = False):
+        width, height = window[1] - window[0]
+        self.is_wide = width > 2.2 * height
+        size = (8.0, 8.0 * height / width + 1.75) if self.is_wide else (
+            6.4 * min(1.0, 1.25 * width / height) + 1.4, 6.4 * min(height / width, 1.25) + 0.6)
+        bar = np.array([0.0, _BAR] if self.is_wide else [_BAR, 0.0]) * second_bar
+        self.figure, self.axes = plt.subplots(
+            figsize=np.array(size) + bar + [0.0, legend_rows * _LEGEND_ROW], layout="constrained")
+        self.axes.set_aspect("equal")
+        margin = 0.01 * max(width, height)
+        self.axes.set_xlim(window[0, 0] - margin, window[1, 0] + margin)
+        self.axes.set_ylim(window[0, 1] - margin, window[1, 1] + margin)
+        self.axes.set_xlabel("x (m)")
+        self.axes.set_ylabel("y (m)")
+
+    def colour_bar(self, picture, label: str, extend: str = "neither") -> None:
+        shape = ({"orientation": "horizontal", "aspect": 40, "shrink": 0.7} if self.is_wide
+                 else {"shrink": 0.85})
+        self.figure.colorbar(picture, ax=self.axes, extend=extend, label=label, **shape)
+
+    def legend(self, handles: list, columns: int) -> None:
+        if handles:
+            self.figure.legend(handles=handles, loc="outside lower center", ncols=columns,
+                               frameon=False, fontsize="small")
+
+
+def moment(run: RunDirectory, frame: Frame) -> str:
+    """The time of a frame in the unit that suits the run."""
+    if run.is_steady:
+        return "steady state"
+    return f"t = {format_time(frame.time, time_scale(run.times))}"
+
+
+def shape(view: View) -> str:
+    """How the deformation is shown."""
+    return "true to scale" if view.scale == 1.0 else f"displacements × {view.scale:g}"
+
+
+def wrapped(title: str, figure) -> list[str]:
+    """The title of a run in lines that fit the figure."""
+    return textwrap.wrap(title, int(10 * figure.get_figwidth()))
