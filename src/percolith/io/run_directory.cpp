@@ -23,9 +23,9 @@ namespace fs = std::filesystem;
 
 // The log is never removed by a new run, so a lock on it cannot be lost to one that replaces it.
 constexpr const char* log_name = "run.log";
-constexpr std::array<std::string_view, 7> table_names = {
+constexpr std::array<std::string_view, 8> table_names = {
     "resolved.toml", "summary.json", "history.csv", "events.csv",
-    "fragments.csv", "matrix.pvd",   "cracks.pvd"};
+    "fragments.csv", "matrix.pvd",   "cracks.pvd",  checkpoint_name};
 
 [[noreturn]] void refuse(const fs::path& path, const char* reason, const char* allowed) {
   throw InputError({{}, "--output", path.string(), reason, allowed});
@@ -157,6 +157,23 @@ RunDirectory RunDirectory::open(const fs::path& path, Existing existing) {
   remove_results(path);
   if (::ftruncate(lock.number(), 0) != 0) {
     fail(path, std::error_code(errno, std::generic_category()));
+  }
+  return {path, std::move(lock)};
+}
+
+RunDirectory RunDirectory::reopen(const fs::path& path) {
+  const auto refuse_to_go_on = [&](const char* reason, const char* allowed) {
+    throw InputError({{}, "--resume", path.string(), reason, allowed});
+  };
+  if (!fs::is_directory(path)) {
+    refuse_to_go_on("there is no such folder", "the folder of a run");
+  }
+  if (!fs::exists(path / log_name) || !fs::exists(path / "resolved.toml")) {
+    refuse_to_go_on("the folder holds no run", "the folder of a run");
+  }
+  FileDescriptor lock(try_lock(path / log_name, O_RDWR));
+  if (!lock.is_open()) {
+    refuse_to_go_on("another run is writing to this folder", "wait for that run to end");
   }
   return {path, std::move(lock)};
 }

@@ -10,6 +10,9 @@ namespace percolith::io {
 /// What to do with results that stand where new ones should go.
 enum class Existing { refuse, replace };
 
+/// Where a run keeps the moment to go on from.
+inline constexpr const char* checkpoint_name = "checkpoint.bin";
+
 /// The folder of one run, held against other runs as long as this object lives (a lock on its
 /// `run.log`, which goes with the process).
 class RunDirectory {
@@ -26,6 +29,10 @@ public:
   /// a run writes are removed, and all others stay. A folder that another run is writing to is
   /// always refused. Throws FileError where the system does not allow it.
   static RunDirectory open(const std::filesystem::path& path, Existing existing);
+
+  /// Takes over the folder of a run that is to go on; changes nothing. Throws InputError (key
+  /// `--resume`) where it holds no run, or another run is writing to it.
+  static RunDirectory reopen(const std::filesystem::path& path);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::filesystem::path file(const char* name) const { return path_ / name; }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/core/error.hpp"
 #include "percolith/simulation/build_model.hpp"
+#include "percolith/simulation/checkpoints.hpp"
 #include "percolith/simulation/event_clock.hpp"
 #include "percolith/simulation/groups.hpp"
 #include "percolith/simulation/solid_run.hpp"
+#include "percolith/simulation/state.hpp"
 #include "percolith/simulation/task.hpp"
 
 #include <fmt/format.h>
@@ -94,7 +96,9 @@ struct Digging {
 
 class SolidTask : public Task {
 public:
-  SolidTask(const Setup& setup, const mesh::GmshMesh& mesh) : run_(make_run(setup, mesh)) {
+  SolidTask(const Setup& setup, const mesh::GmshMesh& mesh)
+      : run_(make_run(setup, mesh)),
+        history_(setup.output.history_interval.value_or(setup.time.end / 1000.0)) {
     step_ = solid_step(run_);
     for (const auto& [name, excavation] : setup.excavation) {
       diggings_.push_back({excavation.start, excavation.duration,
@@ -107,6 +111,7 @@ public:
 
   [[nodiscard]] CheckReport check() const override { return solid_check(run_); }
   bool run(Observer& observer, const std::function<bool()>& stop) override;
+  bool resume(StateArchive& state, Observer& observer, const std::function<bool()>& stop) override;
   [[nodiscard]] Summary summary() const override { return solid_summary(run_); }
   [[nodiscard]] const std::vector<std::string>& region_names() const override {
     return run_.dynamics.model().mesh.region_names;
@@ -121,6 +126,8 @@ private:
   void dig();
   double make_step(double event, Observer& observer);
   bool is_at_rest();
+  void describe_state(StateArchive& archive);
+  bool advance(Observer& observer, const std::function<bool()>& stop);
   void warn_of_energy(Observer& observer);
   void report_frame(Observer& observer);
   void report_history(double step_size, Observer& observer);
@@ -130,6 +137,7 @@ private:
   std::vector<Digging> diggings_;  // that are still to come, by time
   double quiet_after_ = 0.0;       // s: no load changes later
   int calm_checks_ = 0;
+  HistoryClock history_;
 };
 
 double SolidTask::next_event(double output) const {
@@ -209,17 +217,40 @@ void SolidTask::warn_of_energy(Observer& observer) {
   }
 }
 
+/// Excavations leave the list in its order: what is still to come is told by their number.
+void SolidTask::describe_state(StateArchive& archive) {
+  archive("run", run_);
+  archive("history", history_);
+  archive("calm_checks", calm_checks_);
+  std::uint64_t to_come = diggings_.size();
+  archive("diggings_to_come", to_come);
+  while (diggings_.size() > to_come) {
+    diggings_.erase(diggings_.begin());
+  }
+}
+
 bool SolidTask::run(Observer& observer, const std::function<bool()>& stop) {
   for (const std::string& warning : run_.summary.warnings) {
     observer.on_warning(warning);
   }
   observer.on_events({});
+  report_history(0.0, observer);
+  static_cast<void>(history_.due(0.0));
+  report_frame(observer);
+  return advance(observer, stop);
+}
+
+bool SolidTask::resume(StateArchive& state, Observer& observer, const std::function<bool()>& stop) {
+  describe_state(state);
+  observer.on_resume(time(), run_.summary.steps);
+  return advance(observer, stop);
+}
+
+bool SolidTask::advance(Observer& observer, const std::function<bool()>& stop) {
   const double end = run_.setup.time.end;
   const EventClock clock(run_.setup.output, end);
-  HistoryClock history(run_.setup.output.history_interval.value_or(end / 1000.0));
-  report_history(0.0, observer);
-  static_cast<void>(history.due(0.0));
-  report_frame(observer);
+  Checkpoints checkpoints(run_.setup.output, time(),
+                          [this](StateArchive& archive) { describe_state(archive); });
   bool stopped = false;
   const char* limited_by = run_.limits.empty() ? "" : run_.limits.front().mechanism.c_str();
   while (time() < end && !stopped && !run_.summary.reached_rest) {
@@ -230,14 +261,25 @@ bool SolidTask::run(Observer& observer, const std::function<bool()>& stop) {
     stopped = stop();
     const bool check = run_.summary.steps % steps_between_checks == 0;
     run_.summary.reached_rest = check && is_at_rest();
-    const bool at_output = clock.reaches(time(), output) || stopped || run_.summary.reached_rest;
-    if ((check || at_output) && !std::isfinite(run_.dynamics.model().energy.kinetic)) {
+    const bool at_output = clock.reaches(time(), output) || run_.summary.reached_rest;
+    if ((check || at_output || stopped) && !std::isfinite(run_.dynamics.model().energy.kinetic)) {
       refuse_state(run_);
     }
-    if (history.due(time()) || at_output) {
+    const bool row = history_.due(time()) || at_output;
+    if (row) {
       report_history(dt, observer);
     }
     if (at_output) {
+      report_frame(observer);
+    }
+    if (time() < end && !run_.summary.reached_rest) {
+      checkpoints.after_step(time(), run_.summary.steps, stopped, observer, run_.execution);
+    }
+    // What only a run that stops here reports is none of what a checkpoint goes on from.
+    if (stopped && !row) {
+      report_history(dt, observer);
+    }
+    if (stopped && !at_output) {
       report_frame(observer);
     }
     observer.on_progress({time(), end, dt, run_.summary.steps, 0, limited_by, run_.broken.count});
