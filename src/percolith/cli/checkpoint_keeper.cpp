@@ -19,6 +19,8 @@ void CheckpointKeeper::on_checkpoint(const simulation::Checkpoint& checkpoint) {
 void CheckpointKeeper::on_resume(double time, std::int64_t step) {
   // It tells of an end that has become void.
   io::remove_file(directory_.file("summary.json"));
+  // A kill in the middle of a checkpoint leaves its part.
+  io::remove_file(directory_.file(io::checkpoint_name) += ".part");
   tell_(fmt::format("goes on from the checkpoint at time {:.6g} s, step {}", time, step));
 }
 

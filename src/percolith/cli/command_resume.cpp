@@ -35,8 +35,12 @@ int resume(const RunOptions& options) {
   Interruption interruption;
   const io::RunDirectory directory = io::RunDirectory::reopen(*options.resume);
   if (io::has_finished(directory.path())) {
-    print(fmt::format("the run in {} has finished; there is nothing to go on with\n",
-                      directory.path().string()));
+    // It may have been killed in between.
+    directory.remove_checkpoint();
+    if (!options.quiet) {
+      print(fmt::format("the run in {} has finished; there is nothing to go on with\n",
+                        directory.path().string()));
+    }
     return static_cast<int>(ExitCode::success);
   }
   const io::CheckpointFile checkpoint = last_checkpoint(directory);

@@ -77,6 +77,7 @@ RunRecorder::RunRecorder(const io::RunDirectory& directory, const RunOptions& op
                          const LoadedModel& model, const std::string& resolved)
     : RunRecorder(directory, options, model,
                   checkpoint_origin(resolved, model.mesh_hash, options.case_file.string())) {
+  has_begun_ = true;
   io::write_file(directory.file("resolved.toml"), resolved, io::Durability::synced);
   log_.information(fmt::format("percolith {} runs {} on {} threads of {}", record_.version,
                                record_.case_file, record_.threads, record_.processor));
@@ -97,6 +98,7 @@ RunRecorder::RunRecorder(const io::RunDirectory& directory, const RunOptions& op
            }),
       keeper_(directory, origin, results_,
               [this](const std::string& line) {
+                has_begun_ = true;
                 log_.information(fmt::format("percolith {} {} on {} threads of {}", record_.version,
                                              line, record_.threads, record_.processor));
                 say(line);
@@ -122,7 +124,7 @@ void RunRecorder::write_summary(io::Outcome outcome, const std::string& reason) 
 
 void RunRecorder::finish() {
   write_summary(io::Outcome::finished, "");
-  io::remove_file(directory_.file(io::checkpoint_name));
+  directory_.remove_checkpoint();
   const simulation::Setup& setup = model_.read_case.setup;
   const bool is_steady = setup.model.physics == simulation::Physics::seepage &&
                          setup.time.scheme == simulation::Scheme::steady;
@@ -151,7 +153,9 @@ void RunRecorder::interrupt(int signal) {
 void RunRecorder::fail(const std::string& reason) noexcept {
   try {
     progress_.clear();
-    write_summary(io::Outcome::failed, reason);
+    if (has_begun_) {
+      write_summary(io::Outcome::failed, reason);
+    }
     log_.error(reason);
   } catch (...) {
     return;

@@ -50,6 +50,7 @@ private:
   const LoadedModel& model_;
   double started_;  // s, wall time
   bool is_quiet_;
+  bool has_begun_ = false;  // to change what the folder holds
   io::RunRecord record_;
   io::ResultsWriter results_;
   io::ProgressLine progress_;

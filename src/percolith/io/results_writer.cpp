@@ -10,6 +10,9 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace percolith::io {
@@ -17,6 +20,17 @@ namespace {
 
 std::string field_file(const char* series, int frame) {
   return fmt::format("fields/{}_{:06}.vtu", series, frame);
+}
+
+/// Number of the frame that a file of fields, complete or not, belongs to; -1 for other files.
+int frame_of(std::string_view name) {
+  int frame = -1;
+  for (const std::string_view series : {"matrix_", "cracks_"}) {
+    if (name.starts_with(series) && (name.ends_with(".vtu") || name.ends_with(".vtu.part"))) {
+      std::from_chars(name.data() + series.size(), name.data() + name.size(), frame);
+    }
+  }
+  return frame;
 }
 
 }  // namespace
@@ -92,16 +106,22 @@ void ResultsWriter::on_resume(double /*time*/, std::int64_t /*step*/) {
   for (const auto& [name, size] : kept_) {
     tables_.try_emplace(name, folder_ / name, size);
   }
-  // Frames have no gaps, so the first number that is missing was never written.
-  for (int frame = frames_;; ++frame) {
-    const bool matrix = remove_file(folder_ / field_file("matrix", frame));
-    const bool cracks = remove_file(folder_ / field_file("cracks", frame));
-    if (!matrix && !cracks) {
-      break;
-    }
-  }
+  remove_later_fields();
   matrix_series_.write();
   crack_series_.write();
+}
+
+void ResultsWriter::remove_later_fields() const {
+  std::error_code none;  // no folder, no fields
+  std::vector<std::filesystem::path> later;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "fields", none)) {
+    if (frame_of(entry.path().filename().string()) >= frames_) {
+      later.push_back(entry.path());
+    }
+  }
+  for (const std::filesystem::path& file : later) {
+    remove_file(file);
+  }
 }
 
 void ResultsWriter::sync() {

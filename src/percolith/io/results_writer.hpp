@@ -40,6 +40,8 @@ private:
   template <class Header>
   AppendFile& table(const std::string& name, const Header& header);
 
+  void remove_later_fields() const;
+
   std::filesystem::path folder_;
   bool has_cracks_;
   std::map<std::string, AppendFile> tables_;  // by name, relative to the folder

@@ -178,4 +178,9 @@ RunDirectory RunDirectory::reopen(const fs::path& path) {
   return {path, std::move(lock)};
 }
 
+void RunDirectory::remove_checkpoint() const {
+  remove_file(file(checkpoint_name));
+  remove_file(file(checkpoint_name) += ".part");  // of one that was cut short
+}
+
 }  // namespace percolith::io

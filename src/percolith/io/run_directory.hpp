@@ -34,6 +34,9 @@ public:
   /// `--resume`) where it holds no run, or another run is writing to it.
   static RunDirectory reopen(const std::filesystem::path& path);
 
+  /// Removes the checkpoint of a run that has come to its end. Throws FileError.
+  void remove_checkpoint() const;
+
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::filesystem::path file(const char* name) const { return path_ / name; }
 

@@ -43,14 +43,33 @@ void CheckpointClock::written(double t, Wall start, Wall end) {
 Checkpoints::Checkpoints(const Output& output, double t, std::function<void(StateArchive&)> state)
     : clock_(output, t, std::chrono::steady_clock::now()), state_(std::move(state)) {}
 
-void Checkpoints::after_step(double time, std::int64_t step, bool wanted, Observer& observer,
-                             Execution& execution) {
+void Checkpoints::report_step(const StepEnd& step, const std::function<void()>& row,
+                              const std::function<void()>& frame, Observer& observer,
+                              Execution& execution) {
+  if (step.row) {
+    row();
+  }
+  if (step.frame) {
+    frame();
+  }
+  if (!step.last) {
+    send(step, observer, execution);
+  }
+  if (step.stopped && !step.row) {
+    row();
+  }
+  if (step.stopped && !step.frame) {
+    frame();
+  }
+}
+
+void Checkpoints::send(const StepEnd& step, Observer& observer, Execution& execution) {
   const auto start = std::chrono::steady_clock::now();
-  if (!wanted && !clock_.due(time, start)) {
+  if (!step.stopped && !clock_.due(step.time, start)) {
     return;
   }
-  observer.on_checkpoint({time, step, state_});
-  clock_.written(time, start, std::chrono::steady_clock::now());
+  observer.on_checkpoint({step.time, step.number, state_});
+  clock_.written(step.time, start, std::chrono::steady_clock::now());
   execution.book("checkpoint", start);
 }
 

@@ -29,18 +29,31 @@ private:
   Wall next_wall_ = Wall::max();
 };
 
+/// A step that was made, and what a run without interruption reports of it.
+struct StepEnd {
+  double time = 0.0;  ///< s
+  std::int64_t number = 0;
+  bool row = false;      ///< of the history
+  bool frame = false;    ///< and probes
+  bool last = false;     ///< the run has come to its end
+  bool stopped = false;  ///< the run is asked to stop here
+};
+
 /// Sends checkpoints of a run to its observer.
 class Checkpoints {
 public:
   /// `state` describes all of the run that later steps, and reports of them, depend on.
   Checkpoints(const Output& output, double t, std::function<void(StateArchive&)> state);
 
-  /// To be called after each step, when all that a run without interruption reports of it has been
-  /// reported: sends a checkpoint where one is due or `wanted`.
-  void after_step(double time, std::int64_t step, bool wanted, Observer& observer,
-                  Execution& execution);
+  /// Calls `row` and `frame`, which report them, where the step says so; then sends a checkpoint
+  /// where one is due or the run stops before its end. A run that stops reports a row and a frame
+  /// in any case, but after the checkpoint: what goes on from it knows nothing of them.
+  void report_step(const StepEnd& step, const std::function<void()>& row,
+                   const std::function<void()>& frame, Observer& observer, Execution& execution);
 
 private:
+  void send(const StepEnd& step, Observer& observer, Execution& execution);
+
   CheckpointClock clock_;
   std::function<void(StateArchive&)> state_;
 };

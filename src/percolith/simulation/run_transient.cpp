@@ -57,26 +57,14 @@ void run_transient(const Setup& setup, RunState& run, Observer& observer,
     if (at_output || stopped || run.summary.steps % scheme.steps_between_checks == 0) {
       require_valid(run);
     }
-    const bool row = history.due(run.model.state.time) || at_output;
-    if (row) {
-      report_history(run, step.size, observer);
-    }
-    if (at_output) {
-      report_frame(setup, run, observer);
-    }
-    if (run.model.state.time < end) {
-      checkpoints.after_step(run.model.state.time, run.summary.steps, stopped, observer,
-                             run.execution);
-    }
-    // What only a run that stops here reports is none of what a checkpoint goes on from.
-    if (stopped && !row) {
-      report_history(run, step.size, observer);
-    }
-    if (stopped && !at_output) {
-      report_frame(setup, run, observer);
-    }
-    observer.on_progress({run.model.state.time, end, step.size, run.summary.steps, step.iterations,
-                          reason(step, event, output)});
+    const double t = run.model.state.time;
+    const StepEnd made{t,         run.summary.steps, history.due(t) || at_output,
+                       at_output, t >= end,          stopped};
+    checkpoints.report_step(
+        made, [&] { report_history(run, step.size, observer); },
+        [&] { report_frame(setup, run, observer); }, observer, run.execution);
+    observer.on_progress(
+        {t, end, step.size, run.summary.steps, step.iterations, reason(step, event, output)});
   }
 }
 

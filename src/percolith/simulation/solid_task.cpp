@@ -265,23 +265,15 @@ bool SolidTask::advance(Observer& observer, const std::function<bool()>& stop) {
     if ((check || at_output || stopped) && !std::isfinite(run_.dynamics.model().energy.kinetic)) {
       refuse_state(run_);
     }
-    const bool row = history_.due(time()) || at_output;
-    if (row) {
-      report_history(dt, observer);
-    }
-    if (at_output) {
-      report_frame(observer);
-    }
-    if (time() < end && !run_.summary.reached_rest) {
-      checkpoints.after_step(time(), run_.summary.steps, stopped, observer, run_.execution);
-    }
-    // What only a run that stops here reports is none of what a checkpoint goes on from.
-    if (stopped && !row) {
-      report_history(dt, observer);
-    }
-    if (stopped && !at_output) {
-      report_frame(observer);
-    }
+    const StepEnd step{time(),
+                       run_.summary.steps,
+                       history_.due(time()) || at_output,
+                       at_output,
+                       time() >= end || run_.summary.reached_rest,
+                       stopped};
+    checkpoints.report_step(
+        step, [&] { report_history(dt, observer); }, [&] { report_frame(observer); }, observer,
+        run_.execution);
     observer.on_progress({time(), end, dt, run_.summary.steps, 0, limited_by, run_.broken.count});
   }
   warn_of_energy(observer);

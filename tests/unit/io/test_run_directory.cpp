@@ -34,7 +34,7 @@ std::string refusal(const std::filesystem::path& path, Existing existing) {
 void write_results(const std::filesystem::path& path) {
   for (const char* name :
        {"resolved.toml", "summary.json", "history.csv", "events.csv", "fragments.csv", "matrix.pvd",
-        "cracks.pvd", "run.log", "matrix.pvd.part", "fields/matrix_000000.vtu",
+        "cracks.pvd", "checkpoint.bin", "run.log", "matrix.pvd.part", "fields/matrix_000000.vtu",
         "fields/cracks_000001.vtu", "fields/matrix_000002.vtu.part", "probes/a.csv"}) {
     test::write_text(path / name, "old");
   }
