@@ -74,7 +74,10 @@ int try_lock(const fs::path& log, int flags) {
 // Throws unless the folder may be written to; the caller has seen that no other run holds it.
 void require_replaceable(const fs::path& path, Existing existing) {
   std::vector<fs::path> entries = entries_of(path);
-  std::erase_if(entries, [](const fs::path& entry) { return entry.filename() == log_name; });
+  // A run that was killed at once leaves these and nothing else.
+  std::erase_if(entries, [](const fs::path& entry) {
+    return entry.filename() == log_name || entry.filename() == "resolved.toml.part";
+  });
   if (entries.empty()) {
     return;
   }

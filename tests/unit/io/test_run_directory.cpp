@@ -56,6 +56,13 @@ TEST(RunDirectory, TakesAnEmptyFolder) {
   EXPECT_NO_THROW(RunDirectory::open(folder.path(), Existing::refuse));
 }
 
+TEST(RunDirectory, TakesAFolderThatAKilledRunHasLeftBeforeItBegan) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "run.log", "");
+  test::write_text(folder / "resolved.toml.part", "half");
+  EXPECT_NO_THROW(RunDirectory::open(folder.path(), Existing::refuse));
+}
+
 TEST(RunDirectory, KeepsEarlierResultsWithoutForce) {
   const test::TemporaryFolder folder;
   write_results(folder.path());
