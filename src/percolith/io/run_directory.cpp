@@ -95,7 +95,9 @@ void require_replaceable(const fs::path& path, Existing existing) {
 void remove_results(const fs::path& path) {
   std::vector<fs::path> old;
   for (const fs::path& entry : entries_of(path)) {
+    // The new input takes the place of the old one: until then it tells whose folder this is.
     const bool known =
+        entry.filename() != "resolved.toml" &&
         std::any_of(table_names.begin(), table_names.end(),
                     [&](std::string_view name) { return is_run_file(entry, name, name); });
     if (known) {

@@ -26,8 +26,9 @@ public:
 
   /// Makes the folder or takes over an empty one. One with content is refused (InputError with
   /// key `--output`), unless `existing` is `replace` and it holds a run's results: then the files
-  /// a run writes are removed, and all others stay. A folder that another run is writing to is
-  /// always refused. Throws FileError where the system does not allow it.
+  /// a run writes are removed, and all others stay; `resolved.toml` stays for the run to replace. A
+  /// folder that another run is writing to is always refused. Throws FileError where the system
+  /// does not allow it.
   static RunDirectory open(const std::filesystem::path& path, Existing existing);
 
   /// Takes over the folder of a run that is to go on; changes nothing. Throws InputError (key

@@ -86,8 +86,8 @@ TEST(RunDirectory, ReplacesOnlyWhatARunWrites) {
       left.insert(std::filesystem::relative(entry.path(), folder.path()).string());
     }
   }
-  EXPECT_EQ(left, (std::set<std::string>{"run.log", "notes.txt", "fields/picture.png",
-                                         "my_history.csv"}));
+  EXPECT_EQ(left, (std::set<std::string>{"run.log", "resolved.toml", "notes.txt",
+                                         "fields/picture.png", "my_history.csv"}));
   EXPECT_EQ(test::read_text(folder / "run.log"), "");
 }
 

@@ -183,8 +183,8 @@ TEST(Checkpoints, AnExcavationGoesOnToTheSameBits) {
   setup.boundary["bottom"].fixed = true;
   setup.boundary["top"] = test::on("top");
   setup.boundary["top"].normal_pressure = {{0.0, 1e-4, 3e-4}, {8e6, 8e6, 2e8}};
-  setup.excavation["hole"] = {{"middle"}, 8e-4, 4e-4};
-  setup.time.end = 1.6e-3;
+  setup.excavation["hole"] = {{"middle"}, 1.5e-3, 4e-4};
+  setup.time.end = 2.5e-3;
   setup.time.safety = 0.3;
   setup.output.checkpoint_interval = 1e-8;
   mesh::GmshMesh mesh = test::make_grid(grid);
@@ -193,6 +193,24 @@ TEST(Checkpoints, AnExcavationGoesOnToTheSameBits) {
     mesh.triangle_region[t] = 1;
   }
   expect_same_from_checkpoints(setup, mesh, 25);
+}
+
+/// Faces that slide under pressure until contact takes over from their joints.
+TEST(Checkpoints, FacesThatSlideFarGoOnToTheSameBits) {
+  simulation::Setup setup = test::solid_setup();
+  setup.material["sandstone"].strength.tensile_strength = 1e8;
+  setup.material["sandstone"].strength.cohesion = 5e6;
+  setup.material["sandstone"].strength.mode_2_energy = 90.0;
+  setup.boundary["bottom"] = test::on("bottom");
+  setup.boundary["bottom"].fixed = true;
+  setup.boundary["top"] = test::on("top");
+  setup.boundary["top"].normal_pressure = Schedule::constant(1e7);
+  setup.boundary["top"].velocity_x = Schedule::constant(15.0);
+  setup.damping.local = 0.2;
+  setup.time.end = 8e-3;
+  setup.time.safety = 0.5;
+  setup.output.checkpoint_interval = 1e-8;
+  expect_same_from_checkpoints(setup, test::make_grid({.columns = 3, .rows = 2}), 5);
 }
 
 /// Water that comes and goes through one rock that may empty.
