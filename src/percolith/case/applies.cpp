@@ -86,6 +86,8 @@ const std::vector<Applicability> of_seepage_and_run{
     {"output.times", {"time.scheme"}, is_transient, transient},
     {"output.interval", {"time.scheme"}, is_transient, transient},
     {"output.history_interval", {"time.scheme"}, is_transient, transient},
+    {"output.checkpoint_interval", {"time.scheme"}, is_transient, transient},
+    {"output.checkpoint_wall_interval", {"time.scheme"}, is_transient, transient},
 };
 
 std::vector<Applicability> everything() {

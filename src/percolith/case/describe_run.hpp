@@ -57,6 +57,16 @@ void describe(V& option, simulation::Output& m) {
          Quantity{"history_interval", "s", positive, Need::optional,
                   "Time between two rows of the history.",
                   "a row at every implicit step, or at every thousandth of an explicit run"});
+  option(m.checkpoint_interval,
+         Quantity{"checkpoint_interval", "s", positive, Need::optional,
+                  "Time of the simulation between two checkpoints, from which percolith run "
+                  "--resume goes on.",
+                  "only those of checkpoint_wall_interval"});
+  option(m.checkpoint_wall_interval,
+         Quantity{"checkpoint_wall_interval", "s", not_negative, Need::optional,
+                  "Time on the wall between two checkpoints, or a hundred times as long as it "
+                  "takes to write one, if that is longer; 0: none but those of "
+                  "checkpoint_interval. A run that is stopped by a signal always leaves one."});
 }
 
 template <class V>

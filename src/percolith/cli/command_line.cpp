@@ -22,8 +22,8 @@ constexpr const char* footer =
     "\n"
     "Example: percolith new strip mine && percolith run mine/case.toml";
 
-void add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
-  command
+CLI::Option* add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
+  return command
       ->add_option("--set", overrides,
                    "Use this value in place of the case file's; may be repeated. An empty value "
                    "takes the option out.")
@@ -56,16 +56,28 @@ struct Parser {
 
   void add_run() {
     run_command = app.add_subcommand("run", "Run a case and write its results");
-    run_command->add_option("CASE", run.case_file, "Case file (TOML)")->required()->type_name("");
-    run_command
-        ->add_option("--output", run.output,
-                     "Folder for the results [<name of the case file>.results, here]")
-        ->type_name("DIR");
+    CLI::Option* case_file =
+        run_command->add_option("CASE", run.case_file, "Case file (TOML)")->type_name("");
+    CLI::Option* output =
+        run_command
+            ->add_option("--output", run.output,
+                         "Folder for the results [<name of the case file>.results, here]")
+            ->type_name("DIR");
     run_command->add_option("--threads", run.threads, "Number of threads [all processors]")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
-    add_overrides(run_command, run.overrides);
-    run_command->add_flag("--force", run.force, "Replace the results of an earlier run");
+    CLI::Option* overrides = add_overrides(run_command, run.overrides);
+    CLI::Option* force =
+        run_command->add_flag("--force", run.force, "Replace the results of an earlier run");
+    run_command
+        ->add_option("--resume", run.resume,
+                     "In place of CASE: go on with the run in this folder from its last "
+                     "checkpoint; its results become those of a run without interruption")
+        ->type_name("DIR")
+        ->excludes(case_file)
+        ->excludes(output)
+        ->excludes(overrides)
+        ->excludes(force);
     run_command->add_flag("--quiet", run.quiet, "Print warnings and errors only");
     run_command->footer(
         "Example: percolith run case.toml --set time.end=\"3 hour\" --output three_hours");
@@ -99,6 +111,9 @@ struct Parser {
 
   [[nodiscard]] Command chosen() const {
     if (run_command->parsed()) {
+      if (!run.resume && run.case_file.empty()) {
+        throw CLI::RequiredError("CASE");
+      }
       return run;
     }
     if (check_command->parsed()) {
@@ -152,6 +167,7 @@ Command parse_command_line(std::span<const std::string> arguments) {
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
   try {
     parser.app.parse(std::move(reversed));
+    return parser.chosen();
   } catch (const CLI::Success& success) {
     std::ostringstream text;
     parser.app.exit(success, text, text);
@@ -163,7 +179,6 @@ Command parse_command_line(std::span<const std::string> arguments) {
     throw InputError(
         {{}, "", "", std::string(error.what()) + "; see " + parser.help_command(), ""});
   }
-  return parser.chosen();
 }
 
 }  // namespace percolith::cli

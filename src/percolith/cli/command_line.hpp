@@ -15,6 +15,7 @@ namespace percolith::cli {
 /// `percolith run`
 struct RunOptions {
   std::filesystem::path case_file;
+  std::optional<std::filesystem::path> resume;  ///< folder to go on with, in place of a case file
   std::optional<std::filesystem::path> output;  ///< absent: named after the case file
   std::optional<int> threads;                   ///< absent: as many as OpenMP takes
   std::vector<std::string> overrides;           ///< `path.to.key=value`

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/cli/commands.hpp"
-#include "percolith/cli/console.hpp"
-#include "percolith/cli/interruption.hpp"
+#include "percolith/cli/drive_run.hpp"
 #include "percolith/cli/load_model.hpp"
 #include "percolith/cli/run_recorder.hpp"
 #include "percolith/core/error.hpp"
 #include "percolith/io/run_directory.hpp"
 
 #include <omp.h>
-
-#include <exception>
 
 namespace percolith::cli {
 
@@ -35,22 +32,10 @@ int run(const RunOptions& options) {
   LoadedModel model = load_model(options.case_file, options.overrides);
 
   const io::RunDirectory directory = io::RunDirectory::open(path, existing);
-  interruption.begin();
   RunRecorder recorder(directory, options, model);
-  bool finished = false;
-  try {
-    finished =
-        model.simulation.run(recorder.observer(), [&] { return interruption.signal() != 0; });
-  } catch (const std::exception& error) {
-    recorder.fail(error.what());
-    throw;
-  }
-  if (!finished) {
-    recorder.interrupt(interruption.signal());
-    return 128 + interruption.signal();
-  }
-  recorder.finish();
-  return static_cast<int>(ExitCode::success);
+  return drive_run(interruption, recorder, [&](const std::function<bool()>& stop) {
+    return model.simulation.run(recorder.observer(), stop);
+  });
 }
 
 }  // namespace percolith::cli

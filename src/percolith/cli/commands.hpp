@@ -10,6 +10,11 @@ namespace percolith::cli {
 /// been read and its model built.
 [[nodiscard]] int run(const RunOptions& options);
 
+/// Goes on with the run in the folder `options.resume` from its last checkpoint, and comes to the
+/// results of a run that was never interrupted. Nothing is changed before the checkpoint was read
+/// and found to belong to the case, the mesh and this program.
+[[nodiscard]] int resume(const RunOptions& options);
+
 /// Builds the model of a case and prints what was found.
 [[nodiscard]] int check(const CheckOptions& options);
 

@@ -42,7 +42,7 @@ LoadedModel load_model(const std::filesystem::path& case_file,
     const mesh::GmshMesh mesh = timed(wall_time["mesh file"], [&] { return read_mesh(read); });
     simulation::Simulation built =
         timed(wall_time["model"], [&] { return simulation::Simulation(read.setup, mesh); });
-    return {std::move(read), std::move(built), std::move(wall_time)};
+    return {std::move(read), std::move(built), std::move(wall_time), mesh::hash_of(mesh)};
   } catch (const InputError& error) {
     throw case_file::locate(error, read);
   }

@@ -16,6 +16,7 @@ struct LoadedModel {
   case_file::Case read_case;
   simulation::Simulation simulation;
   std::map<std::string, double> wall_time;  ///< s per phase
+  std::string mesh_hash;
 };
 
 /// Reads the case file, reads or makes its mesh, and builds the model. Throws InputErrors that

@@ -17,7 +17,9 @@ namespace {
 constexpr int unexpected_failure = 1;
 
 struct Dispatch {
-  int operator()(const RunOptions& options) const { return run(options); }
+  int operator()(const RunOptions& options) const {
+    return options.resume ? resume(options) : run(options);
+  }
   int operator()(const CheckOptions& options) const { return check(options); }
   int operator()(const SchemaOptions& options) const { return schema(options); }
   int operator()(const NewOptions& options) const { return copy_example(options); }

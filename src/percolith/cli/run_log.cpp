@@ -64,6 +64,10 @@ void RunLog::on_located_warning(const std::string& text) {
   sink_->write(spdlog::level::warn, text, file_);
 }
 
+void RunLog::on_checkpoint(const simulation::Checkpoint& checkpoint) {
+  information(fmt::format("checkpoint at time {} s", checkpoint.time));
+}
+
 // Probes come with every output, even where none are asked for.
 void RunLog::on_probes(double time, const std::vector<simulation::ProbeSample>&) {
   information(fmt::format("output at time {} s", time));

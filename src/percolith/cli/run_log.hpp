@@ -26,6 +26,7 @@ public:
   void on_warning(const std::string& text) override;
   /// A warning of the case file, which says itself where it belongs.
   void on_located_warning(const std::string& text);
+  void on_checkpoint(const simulation::Checkpoint& checkpoint) override;
   void on_probes(double time, const std::vector<simulation::ProbeSample>& samples) override;
 
 private:

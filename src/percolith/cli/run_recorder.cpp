@@ -30,10 +30,10 @@ double started_at(const LoadedModel& model) {
   return started;
 }
 
-io::RunRecord record_of(const RunOptions& options, const LoadedModel& model) {
+io::RunRecord record_of(const std::string& case_file, const LoadedModel& model) {
   io::RunRecord record;
   record.version = version_and_revision();
-  record.case_file = options.case_file.string();
+  record.case_file = case_file;
   record.title = model.read_case.setup.title;
   record.threads = omp_get_max_threads();
   record.processor = io::processor_name();
@@ -42,13 +42,14 @@ io::RunRecord record_of(const RunOptions& options, const LoadedModel& model) {
   return record;
 }
 
-std::string resolved_case(const LoadedModel& model, const std::string& version) {
+std::string resolved_case(const LoadedModel& model) {
   simulation::Setup setup = model.read_case.setup;
   // The copy stands in another folder than the case file.
   setup.mesh.file = std::filesystem::absolute(model.read_case.directory / setup.mesh.file)
                         .lexically_normal()
                         .string();
-  return case_file::resolved_toml(setup, derived_values(model.simulation.check(), version));
+  return case_file::resolved_toml(setup,
+                                  derived_values(model.simulation.check(), version_and_revision()));
 }
 
 io::ProgressLine progress_line() {
@@ -56,9 +57,10 @@ io::ProgressLine progress_line() {
   return {style, terminal_width(), print, seconds_now};
 }
 
-std::vector<simulation::Observer*> chosen(io::ResultsWriter& results, io::ProgressLine& progress,
-                                          RunLog& log, bool is_quiet) {
-  std::vector<simulation::Observer*> observers = {&results, &log};
+std::vector<simulation::Observer*> chosen(io::ResultsWriter& results, CheckpointKeeper& keeper,
+                                          RunLog& log, io::ProgressLine& progress, bool is_quiet) {
+  // A checkpoint tells how far the results have come: they come first.
+  std::vector<simulation::Observer*> observers = {&results, &keeper, &log};
   if (!is_quiet) {
     observers.push_back(&progress);
   }
@@ -69,22 +71,39 @@ std::vector<simulation::Observer*> chosen(io::ResultsWriter& results, io::Progre
 
 RunRecorder::RunRecorder(const io::RunDirectory& directory, const RunOptions& options,
                          const LoadedModel& model)
-    : directory_(directory), model_(model), started_(started_at(model)), is_quiet_(options.quiet),
-      record_(record_of(options, model)), results_(directory.path(), !record_.fractures.empty()),
-      progress_(progress_line()), log_(directory.file("run.log"),
-                                       [this](const std::string& line) {
-                                         progress_.clear();
-                                         print_line_to_stderr(line);
-                                       }),
-      observers_(chosen(results_, progress_, log_, is_quiet_)) {
-  io::write_file(directory.file("resolved.toml"), resolved_case(model, record_.version),
-                 io::Durability::synced);
+    : RunRecorder(directory, options, model, resolved_case(model)) {}
+
+RunRecorder::RunRecorder(const io::RunDirectory& directory, const RunOptions& options,
+                         const LoadedModel& model, const std::string& resolved)
+    : RunRecorder(directory, options, model,
+                  checkpoint_origin(resolved, model.mesh_hash, options.case_file.string())) {
+  has_begun_ = true;
+  io::write_file(directory.file("resolved.toml"), resolved, io::Durability::synced);
   log_.information(fmt::format("percolith {} runs {} on {} threads of {}", record_.version,
                                record_.case_file, record_.threads, record_.processor));
   for (const std::string& warning : model.read_case.warnings) {
     log_.on_located_warning(warning);
   }
 }
+
+RunRecorder::RunRecorder(const io::RunDirectory& directory, const RunOptions& options,
+                         const LoadedModel& model, const io::CheckpointOrigin& origin)
+    : directory_(directory), model_(model), started_(started_at(model)), is_quiet_(options.quiet),
+      record_(record_of(origin.case_file, model)),
+      results_(directory.path(), !record_.fractures.empty()), progress_(progress_line()),
+      log_(directory.file("run.log"),
+           [this](const std::string& line) {
+             progress_.clear();
+             print_line_to_stderr(line);
+           }),
+      keeper_(directory, origin, results_,
+              [this](const std::string& line) {
+                has_begun_ = true;
+                log_.information(fmt::format("percolith {} {} on {} threads of {}", record_.version,
+                                             line, record_.threads, record_.processor));
+                say(line);
+              }),
+      observers_(chosen(results_, keeper_, log_, progress_, is_quiet_)) {}
 
 void RunRecorder::say(const std::string& text) {
   progress_.clear();
@@ -105,6 +124,7 @@ void RunRecorder::write_summary(io::Outcome outcome, const std::string& reason) 
 
 void RunRecorder::finish() {
   write_summary(io::Outcome::finished, "");
+  directory_.remove_checkpoint();
   const simulation::Setup& setup = model_.read_case.setup;
   const bool is_steady = setup.model.physics == simulation::Physics::seepage &&
                          setup.time.scheme == simulation::Scheme::steady;
@@ -120,9 +140,11 @@ void RunRecorder::finish() {
 void RunRecorder::interrupt(int signal) {
   const std::string name = signal == SIGINT ? "SIGINT" : "SIGTERM";
   write_summary(io::Outcome::interrupted, name);
+  const std::string folder = directory_.path().string();
   const std::string text =
-      fmt::format("interrupted by {} at time {:.6g} s; results so far in {}", name,
-                  model_.simulation.summary().end_time, directory_.path().string());
+      fmt::format("interrupted by {} at time {:.6g} s; results so far in {}; to go on: percolith "
+                  "run --resume {}",
+                  name, model_.simulation.summary().end_time, folder, folder);
   log_.information(text);
   progress_.clear();
   print_line_to_stderr(text);
@@ -131,7 +153,9 @@ void RunRecorder::interrupt(int signal) {
 void RunRecorder::fail(const std::string& reason) noexcept {
   try {
     progress_.clear();
-    write_summary(io::Outcome::failed, reason);
+    if (has_begun_) {
+      write_summary(io::Outcome::failed, reason);
+    }
     log_.error(reason);
   } catch (...) {
     return;

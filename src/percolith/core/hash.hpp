@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace percolith {
 
@@ -13,6 +14,19 @@ class StateHash {
 public:
   void add(std::span<const double> values);
   void add(double value) { add(std::span<const double>(&value, 1)); }
+  /// Sixteen hexadecimal digits.
+  [[nodiscard]] std::string text() const;
+
+private:
+  std::uint64_t state_ = 14695981039346656037ULL;
+};
+
+/// Hash of bytes (FNV-1a): any single byte that differs gives another value. Against mistakes, not
+/// against intent.
+class ByteHash {
+public:
+  void add(std::string_view bytes);
+  [[nodiscard]] std::uint64_t value() const { return state_; }
   /// Sixteen hexadecimal digits.
   [[nodiscard]] std::string text() const;
 

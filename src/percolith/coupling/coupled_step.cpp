@@ -35,6 +35,15 @@ void CoupledStep::network_changed() {
   cracks_ = std::make_unique<seepage::ImplicitFlow>(model_->water, seepage::Network::cracks);
 }
 
+void CoupledStep::describe_state(StateArchive& archive) {
+  if (archive.reads()) {
+    network_changed();
+  }
+  archive("cracks", *cracks_);
+  archive("leaked", leaked_);
+  archive("iterations", iterations_);
+}
+
 void CoupledStep::flow(double dt, Execution& execution) {
   seepage::Model& water = model_->water;
   const double t = water.state.time;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/core/archive.hpp"
 #include "percolith/coupling/coupled_model.hpp"
 #include "percolith/seepage/explicit_step.hpp"
 #include "percolith/seepage/implicit_flow.hpp"
@@ -24,6 +25,10 @@ public:
 
   /// To be called when conditions have been added since the last step.
   void network_changed();
+
+  /// What the next step takes over from those before, beside the model; to be read once the model
+  /// is.
+  void describe_state(StateArchive& archive);
 
   /// Fluid that has leaked out of the cracks into the rock since time zero, m2.
   [[nodiscard]] double leaked() const { return leaked_.total(); }

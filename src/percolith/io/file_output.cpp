@@ -8,6 +8,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -97,6 +99,29 @@ void AtomicFile::commit(Durability durability) {
     fail(path_, "replace", errno);
   }
   part_.clear();
+  if (durability == Durability::synced) {
+    sync(path_.has_parent_path() ? path_.parent_path() : ".");
+  }
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream) {
+    throw FileError(fmt::format("{}: cannot read the file", path.string()));
+  }
+  return bytes;
+}
+
+void sync(const std::filesystem::path& path) {
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.is_open()) {
+    fail(path, "open", errno);
+  }
+  // What cannot be synced, as some devices and network folders, needs no syncing.
+  if (::fsync(file.number()) != 0 && errno != EINVAL && errno != ENOTSUP) {
+    fail(path, "write", errno);
+  }
 }
 
 void write_file(const std::filesystem::path& path, std::string_view text, Durability durability) {
@@ -108,6 +133,18 @@ void write_file(const std::filesystem::path& path, std::string_view text, Durabi
 AppendFile::AppendFile(std::filesystem::path path)
     : path_(std::move(path)), file_(open_new(path_)) {}
 
+AppendFile::AppendFile(std::filesystem::path path, std::int64_t size)
+    : path_(std::move(path)), size_(size) {
+  require_size(path_, size);
+  file_ = FileDescriptor(::open(path_.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!file_.is_open()) {
+    fail(path_, "open", errno);
+  }
+  if (::ftruncate(file_.number(), size) != 0 || ::lseek(file_.number(), size, SEEK_SET) != size) {
+    fail(path_, "cut", errno);
+  }
+}
+
 void AppendFile::append(std::string_view lines) {
   if (const int error_number = write_all(file_.number(), lines); error_number != 0) {
     // A device cannot be cut; the error of the write is the one to tell.
@@ -115,6 +152,28 @@ void AppendFile::append(std::string_view lines) {
     fail(path_, "write", error_number);
   }
   size_ += static_cast<std::int64_t>(lines.size());
+}
+
+void require_size(const std::filesystem::path& path, std::int64_t size) {
+  std::error_code error;
+  const auto present = std::filesystem::file_size(path, error);
+  if (error) {
+    fail(path, "go on with", error.value());
+  }
+  if (static_cast<std::int64_t>(present) < size) {
+    throw FileError(fmt::format("{}: the file has {} bytes, {} are needed to go on: it was changed "
+                                "since the checkpoint",
+                                path.string(), present, size));
+  }
+}
+
+bool remove_file(const std::filesystem::path& path) {
+  std::error_code error;
+  const bool removed = std::filesystem::remove(path, error);
+  if (error) {
+    fail(path, "remove", error.value());
+  }
+  return removed;
 }
 
 void make_folder(const std::filesystem::path& path) {

@@ -43,7 +43,8 @@ public:
   ~AtomicFile();
   /// Appends `bytes`. Throws FileError (disk full, file size limit).
   void write(std::string_view bytes);
-  /// Closes the part and renames it. Throws FileError; then an earlier file is untouched.
+  /// Closes the part and renames it; synced, the new name has reached the disk too. Throws
+  /// FileError; then an earlier file is untouched.
   void commit(Durability durability);
 
 private:
@@ -51,6 +52,12 @@ private:
   std::filesystem::path part_;
   FileDescriptor file_;
 };
+
+/// The whole content of a file. Throws FileError.
+[[nodiscard]] std::string read_file(const std::filesystem::path& path);
+
+/// Returns when what was written to a file or a folder has reached the disk. Throws FileError.
+void sync(const std::filesystem::path& path);
 
 /// Writes `text` to `path` through an AtomicFile. Throws FileError.
 void write_file(const std::filesystem::path& path, std::string_view text, Durability durability);
@@ -61,6 +68,11 @@ class AppendFile {
 public:
   /// Makes the file, empty. Throws FileError.
   explicit AppendFile(std::filesystem::path path);
+  /// Goes on with a file of which the first `size` bytes count: cuts off the others. Throws
+  /// FileError where the file is shorter or not there.
+  AppendFile(std::filesystem::path path, std::int64_t size);
+  /// Bytes up to the last complete line.
+  [[nodiscard]] std::int64_t size() const { return size_; }
   /// Appends `lines`, which end in a newline, and hands them to the system. Throws FileError.
   void append(std::string_view lines);
 
@@ -69,6 +81,12 @@ private:
   FileDescriptor file_;
   std::int64_t size_ = 0;
 };
+
+/// Throws FileError unless there is a file of at least `size` bytes.
+void require_size(const std::filesystem::path& path, std::int64_t size);
+
+/// Removes a file; false where there is none. Throws FileError.
+bool remove_file(const std::filesystem::path& path);
 
 /// Makes a folder and those above it. Throws FileError.
 void make_folder(const std::filesystem::path& path);

@@ -48,6 +48,16 @@ public:
       observer->on_warning(warning);
     }
   }
+  void on_checkpoint(const simulation::Checkpoint& checkpoint) override {
+    for (Observer* observer : observers_) {
+      observer->on_checkpoint(checkpoint);
+    }
+  }
+  void on_resume(double time, std::int64_t step) override {
+    for (Observer* observer : observers_) {
+      observer->on_resume(time, step);
+    }
+  }
 
 private:
   std::vector<simulation::Observer*> observers_;

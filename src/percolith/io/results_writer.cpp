@@ -10,27 +10,60 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
 namespace percolith::io {
+namespace {
+
+std::string field_file(const char* series, int frame) {
+  return fmt::format("fields/{}_{:06}.vtu", series, frame);
+}
+
+/// Number of the frame that a file of fields, complete or not, belongs to; -1 for other files.
+int frame_of(std::string_view name) {
+  int frame = -1;
+  for (const std::string_view series : {"matrix_", "cracks_"}) {
+    if (name.starts_with(series) && (name.ends_with(".vtu") || name.ends_with(".vtu.part"))) {
+      std::from_chars(name.data() + series.size(), name.data() + name.size(), frame);
+    }
+  }
+  return frame;
+}
+
+}  // namespace
+
 ResultsWriter::ResultsWriter(std::filesystem::path folder, bool has_cracks)
     : folder_(std::move(folder)), has_cracks_(has_cracks), matrix_series_(folder_ / "matrix.pvd"),
       crack_series_(folder_ / "cracks.pvd") {}
 
-void ResultsWriter::on_history(const simulation::HistoryRow& row) {
-  if (!history_) {
-    history_.emplace(folder_ / "history.csv");
-    history_->append(history_header(row));
+template <class Header>
+AppendFile& ResultsWriter::table(const std::string& name, const Header& header) {
+  auto file = tables_.find(name);
+  if (file == tables_.end()) {
+    make_folder((folder_ / name).parent_path());
+    file = tables_.try_emplace(name, folder_ / name).first;
+    file->second.append(header());
   }
-  history_->append(history_line(row, has_cracks_));
+  return file->second;
+}
+
+void ResultsWriter::on_history(const simulation::HistoryRow& row) {
+  table("history.csv", [&] { return history_header(row); }).append(history_line(row, has_cracks_));
 }
 
 void ResultsWriter::on_frame(const simulation::Frame& frame) {
   make_folder(folder_ / "fields");
-  const std::string matrix = fmt::format("fields/matrix_{:06}.vtu", frames_);
+  const std::string matrix = field_file("matrix", frames_);
   write_matrix(folder_ / matrix, frame.time, frame.matrix);
+  new_fields_.push_back(matrix);
   matrix_series_.add(frame.time, matrix);
   if (!frame.cracks.segments.empty()) {
-    const std::string cracks = fmt::format("fields/cracks_{:06}.vtu", frames_);
+    const std::string cracks = field_file("cracks", frames_);
     write_cracks(folder_ / cracks, frame.time, frame.cracks);
+    new_fields_.push_back(cracks);
     crack_series_.add(frame.time, cracks);
   }
   ++frames_;
@@ -38,31 +71,67 @@ void ResultsWriter::on_frame(const simulation::Frame& frame) {
 
 void ResultsWriter::on_probes(double time, const std::vector<simulation::ProbeSample>& samples) {
   for (const simulation::ProbeSample& sample : samples) {
-    auto file = probes_.find(sample.name);
-    if (file == probes_.end()) {
-      make_folder(folder_ / "probes");
-      const std::string name = file_name_of(sample.name) + ".csv";
-      file = probes_.try_emplace(sample.name, folder_ / "probes" / name).first;
-      file->second.append(probe_header(sample));
-    }
-    file->second.append(probe_lines(time, sample));
+    table("probes/" + file_name_of(sample.name) + ".csv", [&] {
+      return probe_header(sample);
+    }).append(probe_lines(time, sample));
   }
 }
 
 void ResultsWriter::on_events(const std::vector<simulation::BreakEvent>& events) {
-  if (!events_) {
-    events_.emplace(folder_ / "events.csv");
-    events_->append(events_header());
-  }
-  events_->append(event_lines(events));
+  table("events.csv", events_header).append(event_lines(events));
 }
 
 void ResultsWriter::on_fragments(double time, const std::vector<simulation::FragmentRow>& rows) {
-  if (!fragments_) {
-    fragments_.emplace(folder_ / "fragments.csv");
-    fragments_->append(fragments_header());
+  table("fragments.csv", fragments_header).append(fragment_lines(time, rows));
+}
+
+void ResultsWriter::describe_state(StateArchive& archive) {
+  std::map<std::string, std::int64_t> sizes;
+  for (const auto& [name, file] : tables_) {
+    sizes[name] = file.size();
   }
-  fragments_->append(fragment_lines(time, rows));
+  archive("tables", sizes);
+  archive("frames", frames_);
+  archive("matrix_series", matrix_series_);
+  archive("crack_series", crack_series_);
+  if (archive.reads()) {
+    for (const auto& [name, size] : sizes) {
+      require_size(folder_ / name, size);
+    }
+    kept_ = std::move(sizes);
+  }
+}
+
+void ResultsWriter::on_resume(double /*time*/, std::int64_t /*step*/) {
+  for (const auto& [name, size] : kept_) {
+    tables_.try_emplace(name, folder_ / name, size);
+  }
+  remove_later_fields();
+  matrix_series_.write();
+  crack_series_.write();
+}
+
+void ResultsWriter::remove_later_fields() const {
+  std::error_code none;  // no folder, no fields
+  std::vector<std::filesystem::path> later;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "fields", none)) {
+    if (frame_of(entry.path().filename().string()) >= frames_) {
+      later.push_back(entry.path());
+    }
+  }
+  for (const std::filesystem::path& file : later) {
+    remove_file(file);
+  }
+}
+
+void ResultsWriter::sync() {
+  for (const std::string& name : new_fields_) {
+    io::sync(folder_ / name);
+  }
+  new_fields_.clear();
+  for (const auto& [name, file] : tables_) {
+    io::sync(folder_ / name);
+  }
 }
 
 }  // namespace percolith::io

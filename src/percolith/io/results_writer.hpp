@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/core/archive.hpp"
 #include "percolith/io/file_output.hpp"
 #include "percolith/io/time_series.hpp"
 #include "percolith/simulation/report.hpp"
 
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace percolith::io {
 
@@ -27,16 +28,28 @@ public:
   void on_events(const std::vector<simulation::BreakEvent>& events) override;
   void on_fragments(double time, const std::vector<simulation::FragmentRow>& rows) override;
 
+  /// How far the files have come. A reading archive only remembers it, and throws FileError where a
+  /// table is shorter than it was; `on_resume` cuts tables, collections and fields back to it.
+  void describe_state(StateArchive& archive);
+  void on_resume(double time, std::int64_t step) override;
+  /// Returns when all that was written has reached the disk. Throws FileError.
+  void sync();
+
 private:
+  /// The table of this name, relative to the folder; a new one starts with what `header` gives.
+  template <class Header>
+  AppendFile& table(const std::string& name, const Header& header);
+
+  void remove_later_fields() const;
+
   std::filesystem::path folder_;
   bool has_cracks_;
-  std::optional<AppendFile> history_;
-  std::optional<AppendFile> events_;
-  std::optional<AppendFile> fragments_;
-  std::map<std::string, AppendFile> probes_;
+  std::map<std::string, AppendFile> tables_;  // by name, relative to the folder
   TimeSeries matrix_series_;
   TimeSeries crack_series_;
   int frames_ = 0;
+  std::map<std::string, std::int64_t> kept_;  // sizes of the tables to go on with
+  std::vector<std::string> new_fields_;       // since the last sync
 };
 
 }  // namespace percolith::io

@@ -23,9 +23,9 @@ namespace fs = std::filesystem;
 
 // The log is never removed by a new run, so a lock on it cannot be lost to one that replaces it.
 constexpr const char* log_name = "run.log";
-constexpr std::array<std::string_view, 7> table_names = {
+constexpr std::array<std::string_view, 8> table_names = {
     "resolved.toml", "summary.json", "history.csv", "events.csv",
-    "fragments.csv", "matrix.pvd",   "cracks.pvd"};
+    "fragments.csv", "matrix.pvd",   "cracks.pvd",  checkpoint_name};
 
 [[noreturn]] void refuse(const fs::path& path, const char* reason, const char* allowed) {
   throw InputError({{}, "--output", path.string(), reason, allowed});
@@ -74,7 +74,10 @@ int try_lock(const fs::path& log, int flags) {
 // Throws unless the folder may be written to; the caller has seen that no other run holds it.
 void require_replaceable(const fs::path& path, Existing existing) {
   std::vector<fs::path> entries = entries_of(path);
-  std::erase_if(entries, [](const fs::path& entry) { return entry.filename() == log_name; });
+  // A run that was killed at once leaves these and nothing else.
+  std::erase_if(entries, [](const fs::path& entry) {
+    return entry.filename() == log_name || entry.filename() == "resolved.toml.part";
+  });
   if (entries.empty()) {
     return;
   }
@@ -92,7 +95,9 @@ void require_replaceable(const fs::path& path, Existing existing) {
 void remove_results(const fs::path& path) {
   std::vector<fs::path> old;
   for (const fs::path& entry : entries_of(path)) {
+    // The new input takes the place of the old one: until then it tells whose folder this is.
     const bool known =
+        entry.filename() != "resolved.toml" &&
         std::any_of(table_names.begin(), table_names.end(),
                     [&](std::string_view name) { return is_run_file(entry, name, name); });
     if (known) {
@@ -159,6 +164,28 @@ RunDirectory RunDirectory::open(const fs::path& path, Existing existing) {
     fail(path, std::error_code(errno, std::generic_category()));
   }
   return {path, std::move(lock)};
+}
+
+RunDirectory RunDirectory::reopen(const fs::path& path) {
+  const auto refuse_to_go_on = [&](const char* reason, const char* allowed) {
+    throw InputError({{}, "--resume", path.string(), reason, allowed});
+  };
+  if (!fs::is_directory(path)) {
+    refuse_to_go_on("there is no such folder", "the folder of a run");
+  }
+  if (!fs::exists(path / log_name) || !fs::exists(path / "resolved.toml")) {
+    refuse_to_go_on("the folder holds no run", "the folder of a run");
+  }
+  FileDescriptor lock(try_lock(path / log_name, O_RDWR));
+  if (!lock.is_open()) {
+    refuse_to_go_on("another run is writing to this folder", "wait for that run to end");
+  }
+  return {path, std::move(lock)};
+}
+
+void RunDirectory::remove_checkpoint() const {
+  remove_file(file(checkpoint_name));
+  remove_file(file(checkpoint_name) += ".part");  // of one that was cut short
 }
 
 }  // namespace percolith::io

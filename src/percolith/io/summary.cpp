@@ -104,6 +104,13 @@ std::string summary_json(const RunRecord& record, const simulation::Summary& sum
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
+bool has_finished(const std::filesystem::path& folder) {
+  std::ifstream file(folder / "summary.json");
+  const Json summary = Json::parse(file, nullptr, false);
+  return summary.is_object() && summary.contains("outcome") &&
+         summary["outcome"] == outcome_name(Outcome::finished);
+}
+
 std::string processor_name() {
   std::ifstream information("/proc/cpuinfo");
   const std::string key = "model name";

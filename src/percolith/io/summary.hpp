@@ -3,6 +3,7 @@
 
 #include "percolith/simulation/report.hpp"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,10 @@ struct RunRecord {
 /// number becomes null. Phases of `more_wall_time` (s) are added to the simulation's.
 [[nodiscard]] std::string summary_json(const RunRecord& record, const simulation::Summary& summary,
                                        const std::map<std::string, double>& more_wall_time);
+
+/// Whether the run that left `summary.json` in a folder came to its end; false where there is none
+/// that can be read.
+[[nodiscard]] bool has_finished(const std::filesystem::path& folder);
 
 /// Name of this machine's processor, "unknown" where the system does not tell.
 [[nodiscard]] std::string processor_name();

@@ -11,6 +11,14 @@ namespace percolith::io {
 void TimeSeries::add(double time, const std::string& file) {
   entries_ +=
       fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", time, escape_xml(file));
+  write();
+}
+
+void TimeSeries::write() const {
+  if (entries_.empty()) {
+    remove_file(path_);
+    return;
+  }
   write_file(path_,
              "<?xml version=\"1.0\"?>\n"
              "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"

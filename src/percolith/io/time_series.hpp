@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/core/archive.hpp"
+
 #include <filesystem>
 #include <string>
 
@@ -15,6 +17,9 @@ public:
   /// Adds `file`, relative to the collection, at `time` in s and writes the collection.
   /// Throws FileError; the collection written before then stays.
   void add(double time, const std::string& file);
+  void describe_state(StateArchive& archive) { archive("entries", entries_); }
+  /// Writes the collection as it is now, or removes it where it has no files. Throws FileError.
+  void write() const;
 
 private:
   std::filesystem::path path_;

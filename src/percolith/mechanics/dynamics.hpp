@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/core/archive.hpp"
 #include "percolith/core/execution.hpp"
 #include "percolith/core/hash.hpp"
 #include "percolith/mechanics/breakage.hpp"
@@ -38,6 +39,8 @@ public:
   [[nodiscard]] std::vector<std::array<Index, 2>> overlapping() const;
   /// Adds all that later steps depend on.
   void add_to(StateHash& hash) const;
+  /// All that later steps, and reports of them, depend on.
+  void describe_state(StateArchive& archive);
 
 private:
   void set_joint_forces(Execution& execution);

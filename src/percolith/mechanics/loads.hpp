@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/core/archive.hpp"
 #include "percolith/mechanics/corner_force.hpp"
 #include "percolith/mechanics/model.hpp"
 #include "percolith/time/schedule.hpp"
@@ -73,6 +74,8 @@ public:
   [[nodiscard]] const LoadList& list() const { return list_; }
   /// Largest resistance (kg/(m s)) of the dashpots at a corner of each triangle; empty without any.
   [[nodiscard]] std::vector<double> resistances(const mesh::Mesh& mesh) const;
+  /// What is not given by the case: forces that fade, and the drag of the dashpots.
+  void describe_state(StateArchive& archive, const mesh::Mesh& mesh);
 
 private:
   void add_edges(Model& model) const;

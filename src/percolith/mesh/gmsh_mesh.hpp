@@ -26,4 +26,7 @@ struct GmshMesh {
   std::map<std::string, std::vector<std::int32_t>> point_groups;
 };
 
+/// Hash of all but the file's name, for telling whether a mesh is still the same.
+[[nodiscard]] std::string hash_of(const GmshMesh& mesh);
+
 }  // namespace percolith::mesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/core/archive.hpp"
 #include "percolith/seepage/flow_graph.hpp"
 #include "percolith/seepage/graph_conditions.hpp"
 
@@ -48,6 +49,7 @@ public:
   [[nodiscard]] bool is_open_face(Index node) const {
     return face_open_[static_cast<std::size_t>(node)] != 0;
   }
+  void describe_state(StateArchive& archive);
 
 private:
   void set_empty(Index node, bool empty);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/core/archive.hpp"
 #include "percolith/core/execution.hpp"
 #include "percolith/seepage/account.hpp"
 #include "percolith/seepage/active_set.hpp"
@@ -54,6 +55,8 @@ public:
   [[nodiscard]] int iterations() const { return iterations_; }
   [[nodiscard]] const FlowGraph& graph() const { return graph_; }
   [[nodiscard]] Index unknowns() const { return system_.unknowns(); }
+  /// What the next step takes over from those before, beside the model.
+  void describe_state(StateArchive& archive);
 
 private:
   void prepare(const Model& model, double t, double dt);

@@ -3,6 +3,7 @@
 #include "percolith/coupling/build.hpp"
 #include "percolith/coupling/drainage.hpp"
 #include "percolith/seepage/flow_graph.hpp"
+#include "percolith/seepage/state.hpp"
 #include "percolith/seepage/steady_flow.hpp"
 #include "percolith/simulation/balance.hpp"
 #include "percolith/simulation/build_model.hpp"
@@ -111,6 +112,7 @@ protected:
     return coupled_history_row(run_, water_, scheme_.leaked(), step_size);
   }
   void take_out(const Digging& digging) override;
+  void describe_state(StateArchive& archive) override;
   void require_valid() const override;
   [[nodiscard]] std::int64_t iterations() const override { return scheme_.iterations(); }
 
@@ -140,6 +142,23 @@ void CoupledTask::take_out(const Digging& digging) {
   SolidTask::take_out(digging);
   coupling::drain(model_, digging.triangles, water_.drainage.at(digging.name));
   scheme_.network_changed();
+}
+
+/// Excavations that are done have changed the conditions of the flow.
+void CoupledTask::describe_state(StateArchive& archive) {
+  const std::vector<Digging> known = diggings_;
+  SolidTask::describe_state(archive);
+  archive("water", water_.model);
+  archive("in_place_at_start", water_.in_place_at_start);
+  if (archive.reads()) {
+    for (std::size_t i = 0; i + diggings_.size() < known.size(); ++i) {
+      coupling::drain(model_, known[i].triangles, water_.drainage.at(known[i].name));
+    }
+    run_.dynamics.model().pores.pressure = water_.model.state.pressure;
+    water_.model.swelling = run_.dynamics.model().pores.growth;
+  }
+  archive("scheme", scheme_);
+  limit_now_ = limit_.motion(model_);
 }
 
 CheckReport CoupledTask::check() const {

@@ -33,6 +33,7 @@ void require_sensible_intervals(const Setup& setup) {
   if (setup.time.scheme != Scheme::steady) {
     require_rows("output.interval", setup.output.interval, setup.time.end);
     require_rows("output.history_interval", setup.output.history_interval, setup.time.end);
+    require_rows("output.checkpoint_interval", setup.output.checkpoint_interval, setup.time.end);
   }
 }
 

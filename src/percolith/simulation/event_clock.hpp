@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/core/archive.hpp"
 #include "percolith/simulation/setup.hpp"
 
 #include <limits>
@@ -31,6 +32,7 @@ public:
   /// Rows `interval` s apart, or on every call where it is zero.
   explicit HistoryClock(double interval) : interval_(interval) {}
   [[nodiscard]] bool due(double t);
+  void describe_state(StateArchive& archive) { archive("next", next_); }
 
 private:
   double interval_;

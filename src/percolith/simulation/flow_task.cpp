@@ -47,18 +47,11 @@ public:
     for (const std::string& warning : run_.summary.warnings) {
       observer.on_warning(warning);
     }
-    switch (setup_.time.scheme) {
-    case Scheme::steady:
-      run_steady(setup_, run_, observer);
-      break;
-    case Scheme::implicit:
-      run_implicit(setup_, run_, observer, stop);
-      break;
-    case Scheme::explicit_:
-      run_explicit(setup_, run_, observer, stop);
-      break;
-    }
-    return setup_.time.scheme == Scheme::steady || run_.model.state.time >= setup_.time.end;
+    return advance(nullptr, observer, stop);
+  }
+
+  bool resume(StateArchive& state, Observer& observer, const std::function<bool()>& stop) override {
+    return advance(&state, observer, stop);
   }
 
   [[nodiscard]] Summary summary() const override { return finished_summary(run_); }
@@ -70,6 +63,21 @@ public:
   }
 
 private:
+  bool advance(StateArchive* from, Observer& observer, const std::function<bool()>& stop) {
+    switch (setup_.time.scheme) {
+    case Scheme::steady:
+      run_steady(setup_, run_, observer);
+      break;
+    case Scheme::implicit:
+      run_implicit(setup_, run_, observer, stop, from);
+      break;
+    case Scheme::explicit_:
+      run_explicit(setup_, run_, observer, stop, from);
+      break;
+    }
+    return setup_.time.scheme == Scheme::steady || run_.model.state.time >= setup_.time.end;
+  }
+
   Setup setup_;
   RunState run_;
   std::vector<std::string> fracture_names_;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/core/archive.hpp"
 #include "percolith/core/vec2.hpp"
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -169,6 +171,14 @@ struct Summary {
   std::vector<std::string> warnings;
 };
 
+/// A moment from which a run can go on.
+struct Checkpoint {
+  double time = 0.0;  ///< s
+  std::int64_t step = 0;
+  /// Walks through the state of the run; valid during the call only.
+  std::function<void(StateArchive&)> state;
+};
+
 /// Receives what a simulation has to tell, on the thread that runs it. Frames and probes come at
 /// time zero, at the output times and at the end.
 class Observer {
@@ -183,6 +193,11 @@ public:
   /// All fragments of a rock that may break, at the times of the frames.
   virtual void on_fragments(double /*time*/, const std::vector<FragmentRow>&) {}
   virtual void on_warning(const std::string&) {}
+  /// Everything up to the step of the checkpoint has been reported, and nothing beyond.
+  virtual void on_checkpoint(const Checkpoint&) {}
+  /// The run goes on from a checkpoint at `time` (s): what was reported after it is void. Comes
+  /// before all else.
+  virtual void on_resume(double /*time*/, std::int64_t /*step*/) {}
 };
 
 /// A limit of the explicit time step: that of one mechanism, or of all of them together.

@@ -38,20 +38,24 @@ struct TransientScheme {
   std::function<StepMade(double event)> make_step;
   double history_interval = 0.0;          ///< s; 0: a row a step
   std::int64_t steps_between_checks = 1;  ///< for values that are not numbers
+  /// Walks through what the next step takes over from those before, beside the model; may be empty.
+  std::function<void(StateArchive&)> state{};
 };
 
-/// The loop over steps, outputs and history that all transient runs share.
+/// The loop over steps, outputs and history that all transient runs share. `from`: the state to go
+/// on from; null: that of time zero.
 void run_transient(const Setup& setup, RunState& run, Observer& observer,
-                   const std::function<bool()>& stop, const TransientScheme& scheme);
+                   const std::function<bool()>& stop, const TransientScheme& scheme,
+                   StateArchive* from);
 
 /// One steady solution, reported as one frame.
 void run_steady(const Setup& setup, RunState& run, Observer& observer);
-/// Backward Euler with fixed or error-controlled steps.
+/// Backward Euler with fixed or error-controlled steps; `from` as for `run_transient`.
 void run_implicit(const Setup& setup, RunState& run, Observer& observer,
-                  const std::function<bool()>& stop);
-/// Explicit steps below the stability limit.
+                  const std::function<bool()>& stop, StateArchive* from);
+/// Explicit steps below the stability limit; `from` as for `run_transient`.
 void run_explicit(const Setup& setup, RunState& run, Observer& observer,
-                  const std::function<bool()>& stop);
+                  const std::function<bool()>& stop, StateArchive* from);
 
 /// The summary with the totals of the present state.
 [[nodiscard]] Summary finished_summary(const RunState& run);

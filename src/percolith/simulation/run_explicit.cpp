@@ -35,7 +35,7 @@ Limit explicit_limit(const Setup& setup, const seepage::Model& model) {
 }  // namespace
 
 void run_explicit(const Setup& setup, RunState& run, Observer& observer,
-                  const std::function<bool()>& stop) {
+                  const std::function<bool()>& stop, StateArchive* from) {
   seepage::ExplicitStep scheme(run.model);
   const Limit limit = explicit_limit(setup, run.model);
   const auto make_step = [&](double event) -> StepMade {
@@ -44,7 +44,7 @@ void run_explicit(const Setup& setup, RunState& run, Observer& observer,
     return {dt, limit.step, 0, limit.ruled_by};
   };
   run_transient(setup, run, observer, stop,
-                {make_step, setup.time.end / 1000.0, steps_between_checks});
+                {make_step, setup.time.end / 1000.0, steps_between_checks}, from);
 }
 
 }  // namespace percolith::simulation

@@ -70,13 +70,18 @@ StepMade make_step(RunState& run, seepage::ImplicitFlow& flow, StepControl& cont
 }  // namespace
 
 void run_implicit(const Setup& setup, RunState& run, Observer& observer,
-                  const std::function<bool()>& stop) {
+                  const std::function<bool()>& stop, StateArchive* from) {
   seepage::ImplicitFlow flow(run.model);
   StepControl control = make_control(setup, flow);
   const char* limited_by = setup.time.step ? "given step" : "tolerance";
-  run_transient(setup, run, observer, stop, {[&](double event) {
-                  return make_step(run, flow, control, event, setup.time.end, limited_by);
-                }});
+  TransientScheme scheme{[&](double event) {
+    return make_step(run, flow, control, event, setup.time.end, limited_by);
+  }};
+  scheme.state = [&](StateArchive& archive) {
+    archive("flow", flow);
+    archive("control", control);
+  };
+  run_transient(setup, run, observer, stop, scheme, from);
 }
 
 }  // namespace percolith::simulation

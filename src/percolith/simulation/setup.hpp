@@ -213,11 +213,13 @@ struct Probe {
 };
 
 struct Output {
-  std::vector<double> times;               ///< s
-  std::optional<double> interval;          ///< s
-  bool fields = true;                      ///< write the field series
-  std::optional<double> history_interval;  ///< s between rows of history; absent: every
-                                           ///< implicit step, a thousandth of the explicit run
+  std::vector<double> times;                  ///< s
+  std::optional<double> interval;             ///< s
+  bool fields = true;                         ///< write the field series
+  std::optional<double> history_interval;     ///< s between rows of history; absent: every
+                                              ///< implicit step, a thousandth of the explicit run
+  std::optional<double> checkpoint_interval;  ///< s, of the simulation
+  double checkpoint_wall_interval = 600.0;    ///< s, on the wall; 0: none
   friend bool operator==(const Output&, const Output&) = default;
 };
 

@@ -35,6 +35,11 @@ bool Simulation::run(Observer& observer, const std::function<bool()>& stop) {
   return task_->run(observer, stop);
 }
 
+bool Simulation::resume(StateArchive& state, Observer& observer,
+                        const std::function<bool()>& stop) {
+  return task_->resume(state, observer, stop);
+}
+
 Summary Simulation::summary() const {
   return task_->summary();
 }

@@ -30,6 +30,11 @@ public:
   /// when it cannot go on; what was reported before remains valid.
   bool run(Observer& observer, const std::function<bool()>& stop);
 
+  /// Goes on as `run` does from the state that a run of the same case sent to `on_checkpoint`, and
+  /// comes to the same bits. Throws FileError where the state does not belong to this model; then
+  /// nothing has been reported.
+  bool resume(StateArchive& state, Observer& observer, const std::function<bool()>& stop);
+
   [[nodiscard]] Summary summary() const;
   /// Names that `MatrixFrame::region` and `CrackFrame::group` index.
   [[nodiscard]] const std::vector<std::string>& region_names() const;

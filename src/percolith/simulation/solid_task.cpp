@@ -3,8 +3,10 @@
 
 #include "percolith/core/error.hpp"
 #include "percolith/simulation/build_model.hpp"
+#include "percolith/simulation/checkpoints.hpp"
 #include "percolith/simulation/event_clock.hpp"
 #include "percolith/simulation/groups.hpp"
+#include "percolith/simulation/state.hpp"
 
 #include <fmt/format.h>
 #include <omp.h>
@@ -96,7 +98,9 @@ SolidRun make_solid_run(const Setup& setup, SolidStart start) {
   return run;
 }
 
-SolidTask::SolidTask(const Setup& setup, SolidRun run) : run_(std::move(run)) {
+SolidTask::SolidTask(const Setup& setup, SolidRun run)
+    : run_(std::move(run)),
+      history_(setup.output.history_interval.value_or(setup.time.end / 1000.0)) {
   step_ = solid_step(run_);
   for (const auto& [name, excavation] : setup.excavation) {
     diggings_.push_back({name, excavation.start, excavation.duration,
@@ -198,17 +202,40 @@ void SolidTask::warn_of_energy(Observer& observer) {
   }
 }
 
+/// Excavations leave the list in its order: what is still to come is told by their number.
+void SolidTask::describe_state(StateArchive& archive) {
+  archive("run", run_);
+  archive("history", history_);
+  archive("calm_checks", calm_checks_);
+  std::uint64_t to_come = diggings_.size();
+  archive("diggings_to_come", to_come);
+  while (diggings_.size() > to_come) {
+    diggings_.erase(diggings_.begin());
+  }
+}
+
 bool SolidTask::run(Observer& observer, const std::function<bool()>& stop) {
   for (const std::string& warning : run_.summary.warnings) {
     observer.on_warning(warning);
   }
   observer.on_events({});
+  report_history(0.0, observer);
+  static_cast<void>(history_.due(0.0));
+  report_frame(observer);
+  return go_on(observer, stop);
+}
+
+bool SolidTask::resume(StateArchive& state, Observer& observer, const std::function<bool()>& stop) {
+  describe_state(state);
+  observer.on_resume(time(), run_.summary.steps);
+  return go_on(observer, stop);
+}
+
+bool SolidTask::go_on(Observer& observer, const std::function<bool()>& stop) {
   const double end = run_.setup.time.end;
   const EventClock clock(run_.setup.output, end);
-  HistoryClock history(run_.setup.output.history_interval.value_or(end / 1000.0));
-  report_history(0.0, observer);
-  static_cast<void>(history.due(0.0));
-  report_frame(observer);
+  Checkpoints checkpoints(run_.setup.output, time(),
+                          [this](StateArchive& archive) { describe_state(archive); });
   bool stopped = false;
   while (time() < end && !stopped && !run_.summary.reached_rest) {
     dig();
@@ -218,16 +245,19 @@ bool SolidTask::run(Observer& observer, const std::function<bool()>& stop) {
     stopped = stop();
     const bool check = run_.summary.steps % steps_between_checks == 0;
     run_.summary.reached_rest = check && is_at_rest();
-    const bool at_output = clock.reaches(time(), output) || stopped || run_.summary.reached_rest;
-    if (check || at_output) {
+    const bool at_output = clock.reaches(time(), output) || run_.summary.reached_rest;
+    if (check || at_output || stopped) {
       require_valid();
     }
-    if (history.due(time()) || at_output) {
-      report_history(dt, observer);
-    }
-    if (at_output) {
-      report_frame(observer);
-    }
+    const StepEnd step{time(),
+                       run_.summary.steps,
+                       history_.due(time()) || at_output,
+                       at_output,
+                       time() >= end || run_.summary.reached_rest,
+                       stopped};
+    checkpoints.report_step(
+        step, [&] { report_history(dt, observer); }, [&] { report_frame(observer); }, observer,
+        run_.execution);
     observer.on_progress(
         {time(), end, dt, run_.summary.steps, iterations(), limited_by(), run_.broken.count});
   }

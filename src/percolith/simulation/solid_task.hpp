@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/core/archive.hpp"
+#include "percolith/simulation/event_clock.hpp"
 #include "percolith/simulation/solid_run.hpp"
 #include "percolith/simulation/task.hpp"
 
@@ -26,6 +28,7 @@ public:
 
   [[nodiscard]] CheckReport check() const override { return solid_check(run_); }
   bool run(Observer& observer, const std::function<bool()>& stop) override;
+  bool resume(StateArchive& state, Observer& observer, const std::function<bool()>& stop) override;
   [[nodiscard]] Summary summary() const override { return solid_summary(run_); }
   [[nodiscard]] const std::vector<std::string>& region_names() const override {
     return run_.dynamics.model().mesh.region_names;
@@ -54,16 +57,20 @@ protected:
   [[nodiscard]] virtual Frame frame() const;
   [[nodiscard]] virtual std::vector<ProbeSample> probes() const { return read_solid_probes(run_); }
   virtual HistoryRow history_row(double step_size) { return solid_history_row(run_, step_size); }
+  /// All that later steps, and reports of them, depend on.
+  virtual void describe_state(StateArchive& archive);
   /// Throws SolverError where the state is no longer one of numbers.
   virtual void require_valid() const;
   [[nodiscard]] virtual std::int64_t iterations() const { return 0; }
 
   [[nodiscard]] double time() const { return run_.dynamics.model().motion.time; }
   SolidRun run_;
-  double step_ = 0.0;  // s, at most
+  double step_ = 0.0;              // s, at most
+  std::vector<Digging> diggings_;  // that are still to come, by time
 
 private:
   [[nodiscard]] double next_event(double output) const;
+  bool go_on(Observer& observer, const std::function<bool()>& stop);
   void dig();
   double make_step(double event, Observer& observer);
   bool is_at_rest();
@@ -71,9 +78,9 @@ private:
   void report_frame(Observer& observer);
   void report_history(double step_size, Observer& observer);
 
-  std::vector<Digging> diggings_;  // that are still to come, by time
-  double quiet_after_ = 0.0;       // s: no load changes later
+  double quiet_after_ = 0.0;  // s: no load changes later
   int calm_checks_ = 0;
+  HistoryClock history_;
 };
 
 /// A rock that is ready to move, `start`, with what reports need of it.

@@ -19,6 +19,8 @@ public:
   virtual ~Task() = default;
   [[nodiscard]] virtual CheckReport check() const = 0;
   virtual bool run(Observer& observer, const std::function<bool()>& stop) = 0;
+  virtual bool resume(StateArchive& state, Observer& observer,
+                      const std::function<bool()>& stop) = 0;
   [[nodiscard]] virtual Summary summary() const = 0;
   [[nodiscard]] virtual const std::vector<std::string>& region_names() const = 0;
   [[nodiscard]] virtual const std::vector<std::string>& fracture_names() const = 0;

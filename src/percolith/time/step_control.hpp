@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/core/archive.hpp"
+
 #include <limits>
 
 namespace percolith {
@@ -23,6 +25,7 @@ public:
   [[nodiscard]] bool judge(double dt, double error);
   /// The attempt with step `dt` found no solution: quarter it.
   void failed(double dt) { step_ = 0.25 * dt; }
+  void describe_state(StateArchive& archive) { archive("step", step_); }
 
 private:
   double tolerance_;

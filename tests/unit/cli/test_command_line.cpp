@@ -45,6 +45,17 @@ TEST(CommandLine, LeavesRunItsDefaults) {
   EXPECT_FALSE(run.quiet);
 }
 
+TEST(CommandLine, ResumesInPlaceOfACase) {
+  const auto run =
+      std::get<RunOptions>(parse({"run", "--resume", "out", "--threads", "2", "--quiet"}));
+  EXPECT_EQ(run.resume, "out");
+  EXPECT_TRUE(run.case_file.empty());
+  EXPECT_EQ(refusal({"run", "case.toml", "--resume", "out"}),
+            "error: CASE excludes --resume; see percolith run --help");
+  EXPECT_EQ(refusal({"run", "--resume", "out", "--force"}),
+            "error: --force excludes --resume; see percolith run --help");
+}
+
 TEST(CommandLine, TakesOneValueAfterEachSet) {
   const auto run = std::get<RunOptions>(parse({"run", "--set", "a=1", "case.toml"}));
   EXPECT_EQ(run.case_file, "case.toml");

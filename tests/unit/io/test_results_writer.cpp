@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "unit/io/file_size_limit.hpp"
 #include "unit/io/frames.hpp"
@@ -42,6 +43,85 @@ TEST(ResultsWriter, WritesSeriesTablesAndProbes) {
   const std::string history = test::read_text(folder / "history.csv");
   EXPECT_EQ(std::count(history.begin(), history.end(), '\n'), 3);
   EXPECT_EQ(history.find("time_s,step,"), 0U);
+}
+
+/// Every file of a folder with its content.
+std::map<std::string, std::string> content(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) {
+      files[entry.path().string()] = test::read_text(entry.path());
+    }
+  }
+  return files;
+}
+
+void report_all(ResultsWriter& writer, double time, bool cracked) {
+  simulation::HistoryRow row;
+  row.time = time;
+  writer.on_history(row);
+  simulation::Frame frame = test::cracked_square(time);
+  if (!cracked) {
+    frame.cracks = {};
+  }
+  writer.on_frame(frame);
+  writer.on_probes(time, {{"a b", {"pressure_Pa"}, {{{0, 1}, {5}}}}});
+  simulation::BreakEvent event;
+  event.time = time;
+  writer.on_events({event});
+  writer.on_fragments(time, {simulation::FragmentRow{}});
+}
+
+TEST(ResultsWriter, GoesOnFromWhereItWasAndTakesBackTheRest) {
+  const test::TemporaryFolder folder;
+  std::string bytes;
+  std::map<std::string, std::string> kept;
+  {
+    ResultsWriter writer(folder.path(), true);
+    report_all(writer, 0.0, false);
+    writer.sync();
+    StateWriter state([&](std::string_view part) { bytes += part; });
+    state("results", writer);
+    kept = content(folder.path());
+    report_all(writer, 1.0, true);
+    report_all(writer, 2.0, true);
+    test::write_text(folder / "fields/matrix_000003.vtu.part", "half");
+    test::write_text(folder / "fields/matrix_notes.txt", "mine");
+  }
+  const auto before = content(folder.path());
+  kept[(folder / "fields/matrix_notes.txt").string()] = "mine";
+  StateReader state(bytes, "checkpoint");
+  ResultsWriter writer(folder.path(), true);
+  state("results", writer);
+  EXPECT_EQ(content(folder.path()), before);
+  writer.on_resume(0.5, 1);
+  EXPECT_EQ(content(folder.path()), kept);
+  report_all(writer, 1.0, true);
+  report_all(writer, 2.0, true);
+  auto after = before;
+  after.erase((folder / "fields/matrix_000003.vtu.part").string());
+  EXPECT_EQ(content(folder.path()), after);
+}
+
+TEST(ResultsWriter, RefusesTablesThatHaveLostRows) {
+  const test::TemporaryFolder folder;
+  std::string bytes;
+  {
+    ResultsWriter writer(folder.path(), true);
+    report_all(writer, 0.0, false);
+    StateWriter state([&](std::string_view part) { bytes += part; });
+    state("results", writer);
+  }
+  test::write_text(folder / "events.csv", "time_s\n");
+  StateReader state(bytes, "checkpoint");
+  ResultsWriter writer(folder.path(), true);
+  try {
+    state("results", writer);
+    ADD_FAILURE() << "no error";
+  } catch (const FileError& error) {
+    EXPECT_NE(std::string(error.what()).find("events.csv: the file has 7 bytes"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(ResultsWriter, StartsTheCrackSeriesWithTheFirstCrack) {

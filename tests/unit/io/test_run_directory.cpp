@@ -34,7 +34,7 @@ std::string refusal(const std::filesystem::path& path, Existing existing) {
 void write_results(const std::filesystem::path& path) {
   for (const char* name :
        {"resolved.toml", "summary.json", "history.csv", "events.csv", "fragments.csv", "matrix.pvd",
-        "cracks.pvd", "run.log", "matrix.pvd.part", "fields/matrix_000000.vtu",
+        "cracks.pvd", "checkpoint.bin", "run.log", "matrix.pvd.part", "fields/matrix_000000.vtu",
         "fields/cracks_000001.vtu", "fields/matrix_000002.vtu.part", "probes/a.csv"}) {
     test::write_text(path / name, "old");
   }
@@ -53,6 +53,13 @@ TEST(RunDirectory, IsMadeWithTheFoldersAboveIt) {
 
 TEST(RunDirectory, TakesAnEmptyFolder) {
   const test::TemporaryFolder folder;
+  EXPECT_NO_THROW(RunDirectory::open(folder.path(), Existing::refuse));
+}
+
+TEST(RunDirectory, TakesAFolderThatAKilledRunHasLeftBeforeItBegan) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "run.log", "");
+  test::write_text(folder / "resolved.toml.part", "half");
   EXPECT_NO_THROW(RunDirectory::open(folder.path(), Existing::refuse));
 }
 
@@ -79,8 +86,8 @@ TEST(RunDirectory, ReplacesOnlyWhatARunWrites) {
       left.insert(std::filesystem::relative(entry.path(), folder.path()).string());
     }
   }
-  EXPECT_EQ(left, (std::set<std::string>{"run.log", "notes.txt", "fields/picture.png",
-                                         "my_history.csv"}));
+  EXPECT_EQ(left, (std::set<std::string>{"run.log", "resolved.toml", "notes.txt",
+                                         "fields/picture.png", "my_history.csv"}));
   EXPECT_EQ(test::read_text(folder / "run.log"), "");
 }
 

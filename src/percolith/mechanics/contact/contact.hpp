@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/core/archive.hpp"
 #include "percolith/core/compensated.hpp"
 #include "percolith/core/execution.hpp"
 #include "percolith/core/hash.hpp"
@@ -115,6 +116,7 @@ public:
   [[nodiscard]] double deepest() const;
   /// Adds all that later steps depend on.
   void add_to(StateHash& hash) const;
+  void describe_state(StateArchive& archive);
 
   /// Pairs of triangles that may touch and overlap by more than `share` of the smaller one's area
   /// where they are now; ascending. For refusing bodies that overlap at the start.
@@ -138,11 +140,13 @@ private:
   void set_blocks();
   void apply_hand_overs();
   void clear_forces();
+  void describe_pair_forces(StateArchive& archive);
 
   struct PendingHandOver {
     std::array<Index, 2> triangle;
     HandOver start;
     double largest_factor = 1.0;
+    void describe_state(StateArchive& archive);
   };
 
   ContactProperties properties_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/core/archive.hpp"
 #include "percolith/mechanics/contact/pair_states.hpp"
 
 #include <span>
@@ -35,10 +36,12 @@ public:
   [[nodiscard]] Index find(const PairStates& states, Index triangle, Index other) const;
   /// Enters a pair that is not there yet into the rows of both of its triangles.
   void insert(const PairStates& states, Index pair);
+  void describe_state(StateArchive& archive);
 
 private:
   struct Row {
     Index start = 0, count = 0, room = 0;
+    void describe_state(StateArchive& archive);
   };
   [[nodiscard]] Index place_of(const PairStates& states, Index triangle, Index other) const;
   void insert(const PairStates& states, Index triangle, Index other, Index entry);

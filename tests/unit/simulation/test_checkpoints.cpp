@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/simulation/checkpoints.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/support/solid_setup.hpp"
+
+namespace percolith::simulation {
+namespace {
+
+using std::chrono::seconds;
+
+TEST(CheckpointClock, FollowsTheTimeOfTheSimulation) {
+  Output output;
+  output.checkpoint_interval = 0.5;
+  output.checkpoint_wall_interval = 0.0;
+  const CheckpointClock::Wall now{};
+  CheckpointClock clock(output, 0.0, now);
+  EXPECT_FALSE(clock.due(0.4, now + seconds(1'000'000)));
+  EXPECT_TRUE(clock.due(0.5, now));
+  clock.written(1.1, now, now);
+  EXPECT_FALSE(clock.due(1.4, now));
+  EXPECT_TRUE(clock.due(1.5, now));
+  // A run that goes on keeps to the same multiples.
+  EXPECT_FALSE(CheckpointClock(output, 1.1, now).due(1.4, now));
+  EXPECT_TRUE(CheckpointClock(output, 1.1, now).due(1.5, now));
+}
+
+TEST(CheckpointClock, FollowsTheClockOnTheWallAndSpendsAHundredthAtMost) {
+  Output output;
+  output.checkpoint_wall_interval = 60.0;
+  const CheckpointClock::Wall now{};
+  CheckpointClock clock(output, 0.0, now);
+  EXPECT_FALSE(clock.due(1e9, now + seconds(59)));
+  EXPECT_TRUE(clock.due(0.0, now + seconds(60)));
+  clock.written(0.0, now + seconds(60), now + seconds(61));
+  EXPECT_FALSE(clock.due(0.0, now + seconds(160)));
+  EXPECT_TRUE(clock.due(0.0, now + seconds(161)));
+}
+
+TEST(CheckpointClock, IsNeverDueWithoutIntervals) {
+  Output output;
+  output.checkpoint_wall_interval = 0.0;
+  const CheckpointClock::Wall now{};
+  EXPECT_FALSE(CheckpointClock(output, 0.0, now).due(1e300, now + seconds(1'000'000'000)));
+  output.checkpoint_wall_interval = 1e300;
+  EXPECT_FALSE(CheckpointClock(output, 0.0, now).due(1e300, now + seconds(200'000'000)));
+}
+
+/// Keeps every checkpoint as bytes, and tells what was reported after each.
+class Keeper : public test::SolidRecorder {
+public:
+  struct Kept {
+    std::string bytes;
+    std::size_t rows, frames, events;
+  };
+  void on_checkpoint(const Checkpoint& checkpoint) override {
+    std::string bytes;
+    StateWriter writer([&](std::string_view part) { bytes += part; });
+    checkpoint.state(writer);
+    kept.push_back({bytes, history.size(), frames.size(), events.size()});
+  }
+  void on_resume(double time, std::int64_t /*step*/) override { resumed.push_back(time); }
+  std::vector<Kept> kept;
+  std::vector<double> resumed;
+};
+
+std::vector<double> numbers(const HistoryRow& row) {
+  std::vector<double> values{row.time,
+                             static_cast<double>(row.step),
+                             row.step_size,
+                             row.minimum_pressure,
+                             row.maximum_pressure,
+                             row.minimum_saturation,
+                             row.balance.in,
+                             row.balance.out,
+                             row.balance.stored,
+                             row.balance.error};
+  for (const auto& [name, value] : row.mechanics) {
+    values.push_back(value);
+  }
+  return values;
+}
+
+/// Goes on from every checkpoint of a run to the next two, which must be the same:
+/// some of the state is there between two steps only, when joints have just broken.
+void expect_same_next_steps(const Setup& setup, const mesh::GmshMesh& mesh, const Keeper& whole) {
+  for (std::size_t k = 0; k + 2 < whole.kept.size(); ++k) {
+    Simulation simulation(setup, mesh);
+    Keeper rest;
+    StateReader reader(whole.kept[k].bytes, "checkpoint");
+    simulation.resume(reader, rest, [&] { return rest.kept.size() == 2; });
+    ASSERT_GE(rest.kept.size(), 2U);
+    ASSERT_EQ(rest.kept[0].bytes, whole.kept[k + 1].bytes) << k;
+    ASSERT_EQ(rest.kept[1].bytes, whole.kept[k + 2].bytes) << k;
+  }
+}
+
+/// Goes on from checkpoints of a run, about `count` of them, and compares all that follows.
+void expect_same_from_checkpoints(const Setup& setup, const mesh::GmshMesh& mesh,
+                                  std::size_t count) {
+  Keeper whole;
+  const Summary expected = test::run(setup, mesh, whole);
+  ASSERT_GE(whole.kept.size(), count);
+  expect_same_next_steps(setup, mesh, whole);
+  const std::size_t stride = whole.kept.size() / count;
+  for (std::size_t k = 0; k < whole.kept.size(); k += stride) {
+    const Keeper::Kept& from = whole.kept[k];
+    Simulation simulation(setup, mesh);
+    Keeper rest;
+    StateReader reader(from.bytes, "checkpoint");
+    ASSERT_TRUE(simulation.resume(reader, rest, test::never));
+    EXPECT_TRUE(reader.rest().empty());
+    const Summary summary = simulation.summary();
+    EXPECT_EQ(summary.state_hash, expected.state_hash) << k;
+    EXPECT_EQ(summary.steps, expected.steps);
+    EXPECT_EQ(summary.iterations, expected.iterations);
+    EXPECT_EQ(summary.rejected_steps, expected.rejected_steps);
+    EXPECT_EQ(summary.mechanics, expected.mechanics);
+    ASSERT_EQ(summary.peak_reactions.size(), expected.peak_reactions.size());
+    for (std::size_t i = 0; i < summary.peak_reactions.size(); ++i) {
+      EXPECT_EQ(summary.peak_reactions[i].x, expected.peak_reactions[i].x);
+      EXPECT_EQ(summary.peak_reactions[i].x_time, expected.peak_reactions[i].x_time);
+    }
+    ASSERT_EQ(from.rows + rest.history.size(), whole.history.size());
+    for (std::size_t i = 0; i < rest.history.size(); ++i) {
+      EXPECT_EQ(numbers(rest.history[i]), numbers(whole.history[from.rows + i])) << k << " " << i;
+    }
+    EXPECT_EQ(from.frames + rest.frames.size(), whole.frames.size());
+    EXPECT_EQ(from.events + rest.events.size(), whole.events.size());
+    EXPECT_EQ(rest.resumed.size(), 1U);
+    ASSERT_EQ(from.bytes.empty(), false);
+    // Later checkpoints are the same too.
+    ASSERT_EQ(k + 1 + rest.kept.size(), whole.kept.size());
+    for (std::size_t i = 0; i < rest.kept.size(); ++i) {
+      ASSERT_EQ(rest.kept[i].bytes, whole.kept[k + 1 + i].bytes) << k << " " << i;
+    }
+  }
+}
+
+const test::Grid grid{.columns = 4, .rows = 4, .jitter = 0.2};
+
+TEST(Checkpoints, ABreakingBlockGoesOnToTheSameBits) {
+  simulation::Setup setup = test::solid_setup();
+  setup.boundary["left"] = test::on("left");
+  setup.boundary["left"].fixed = true;
+  setup.boundary["right"] = test::on("right");
+  setup.boundary["right"].velocity_x = {{0.0, 1e-3, 2e-3, 3e-3}, {1.0, 1.0, -3.0, 2.0}};
+  setup.boundary["top"] = test::on("top");
+  setup.boundary["top"].absorbing = true;
+  setup.time.end = 4e-3;
+  setup.time.safety = 0.2;
+  setup.damping.local = 0.1;
+  setup.output.interval = 5e-4;
+  setup.output.history_interval = 1e-4;
+  setup.output.checkpoint_interval = 1e-7;
+  expect_same_from_checkpoints(setup, test::make_grid(grid), 12);
+}
+
+TEST(Checkpoints, TiedRockUnderGravityThatComesToRestGoesOnToTheSameBits) {
+  simulation::Setup setup = test::solid_setup();
+  setup.model.gravity = 9.81;
+  setup.material["sandstone"].joints = RockJoints::elastic;
+  setup.boundary["bottom"] = test::on("bottom");
+  setup.boundary["bottom"].fixed = true;
+  setup.damping.local = 0.7;
+  setup.time.end = 1.0;
+  setup.time.stop_ratio = 1e-3;
+  setup.output.checkpoint_interval = 1e-5;
+  expect_same_from_checkpoints(setup, test::make_grid(grid), 7);
+}
+
+/// Rock that breaks under its load while its middle is taken out.
+TEST(Checkpoints, AnExcavationGoesOnToTheSameBits) {
+  simulation::Setup setup = test::solid_setup();
+  setup.model.gravity = 9.81;
+  setup.in_situ = InSitu{-6e6, -8e6, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  setup.material["middle"] = setup.material["sandstone"];
+  setup.material["middle"].regions = {"middle"};
+  setup.boundary["left"] = test::on("left");
+  setup.boundary["left"].roller = true;
+  setup.boundary["bottom"] = test::on("bottom");
+  setup.boundary["bottom"].fixed = true;
+  setup.boundary["top"] = test::on("top");
+  setup.boundary["top"].normal_pressure = {{0.0, 1e-4, 3e-4}, {8e6, 8e6, 2e8}};
+  setup.excavation["hole"] = {{"middle"}, 1.5e-3, 4e-4};
+  setup.time.end = 2.5e-3;
+  setup.time.safety = 0.3;
+  setup.output.checkpoint_interval = 1e-8;
+  mesh::GmshMesh mesh = test::make_grid(grid);
+  mesh.regions.push_back("middle");
+  for (const std::size_t t : {11U, 12U, 13U, 18U}) {
+    mesh.triangle_region[t] = 1;
+  }
+  expect_same_from_checkpoints(setup, mesh, 25);
+}
+
+/// Faces that slide under pressure until contact takes over from their joints.
+TEST(Checkpoints, FacesThatSlideFarGoOnToTheSameBits) {
+  simulation::Setup setup = test::solid_setup();
+  setup.material["sandstone"].strength.tensile_strength = 1e8;
+  setup.material["sandstone"].strength.cohesion = 5e6;
+  setup.material["sandstone"].strength.mode_2_energy = 90.0;
+  setup.boundary["bottom"] = test::on("bottom");
+  setup.boundary["bottom"].fixed = true;
+  setup.boundary["top"] = test::on("top");
+  setup.boundary["top"].normal_pressure = Schedule::constant(1e7);
+  setup.boundary["top"].velocity_x = Schedule::constant(15.0);
+  setup.damping.local = 0.2;
+  setup.time.end = 8e-3;
+  setup.time.safety = 0.5;
+  setup.output.checkpoint_interval = 1e-8;
+  expect_same_from_checkpoints(setup, test::make_grid({.columns = 3, .rows = 2}), 5);
+}
+
+/// Water that comes and goes through one rock that may empty.
+Setup filling(Scheme scheme) {
+  simulation::Setup setup = test::plain_setup();
+  setup.model.gravity = 9.81;
+  setup.fluid.cavitation_pressure = 0.0;
+  setup.initial.pressure = 0.0;
+  setup.material["sandstone"].rock.permeability = {1e-11, 1e-11, 0.0};
+  setup.initial.saturation = 0.9;
+  setup.boundary["inlet"].pressure = Schedule{{0.0, 200.0, 300.0}, {2e4, 2e4, 0.0}};
+  setup.boundary["outlet"].pressure.reset();
+  setup.boundary["outlet"].seepage_face = Schedule::constant(0.0);
+  setup.time.scheme = scheme;
+  return setup;
+}
+
+TEST(Checkpoints, ImplicitFlowGoesOnToTheSameBits) {
+  simulation::Setup setup = filling(Scheme::implicit);
+  setup.time.end = 400.0;
+  setup.output.interval = 50.0;
+  setup.output.checkpoint_interval = 1e-3;
+  expect_same_from_checkpoints(setup, test::make_grid(grid), 10);
+}
+
+TEST(Checkpoints, SaturatedImplicitFlowGoesOnWithoutTheFactorsOfItsMatrix) {
+  simulation::Setup setup = test::plain_setup();
+  setup.time.scheme = Scheme::implicit;
+  setup.time.end = 2e-2;
+  setup.output.checkpoint_interval = 1e-7;
+  expect_same_from_checkpoints(setup, test::make_grid(grid), 8);
+}
+
+TEST(Checkpoints, ExplicitFlowGoesOnToTheSameBits) {
+  simulation::Setup setup = filling(Scheme::explicit_);
+  setup.time.end = 0.04;
+  setup.output.interval = 0.01;
+  setup.output.checkpoint_interval = 1e-7;
+  expect_same_from_checkpoints(setup, test::make_grid(grid), 10);
+}
+
+TEST(Checkpoints, ARunThatStopsLeavesOneThatKnowsNothingOfItsLastReports) {
+  simulation::Setup setup = test::plain_setup();
+  setup.time.scheme = Scheme::implicit;
+  setup.time.end = 2e-2;
+  setup.output.history_interval = 1e-2;
+  Keeper whole;
+  static_cast<void>(test::run(setup, test::plain_mesh(), whole));
+  Simulation simulation(setup, test::plain_mesh());
+  Keeper stopped;
+  EXPECT_FALSE(simulation.run(stopped, [&] { return stopped.progress.size() == 3; }));
+  ASSERT_EQ(stopped.kept.size(), 1U);
+  EXPECT_EQ(stopped.frames.size(), stopped.kept[0].frames + 1);
+  EXPECT_EQ(stopped.history.size(), stopped.kept[0].rows + 1);
+  Simulation again(setup, test::plain_mesh());
+  Keeper rest;
+  StateReader reader(stopped.kept[0].bytes, "checkpoint");
+  EXPECT_TRUE(again.resume(reader, rest, test::never));
+  EXPECT_EQ(again.summary().state_hash, [&] {
+    Simulation uninterrupted(setup, test::plain_mesh());
+    Keeper keeper;
+    uninterrupted.run(keeper, test::never);
+    return uninterrupted.summary().state_hash;
+  }());
+  EXPECT_EQ(stopped.kept[0].rows + rest.history.size(), whole.history.size());
+}
+
+TEST(Checkpoints, OfAnotherModelAreRefusedBeforeAnythingIsReported) {
+  simulation::Setup setup = test::plain_setup();
+  setup.time.scheme = Scheme::implicit;
+  setup.time.end = 2e-2;
+  setup.output.checkpoint_interval = 1e-3;
+  Keeper whole;
+  static_cast<void>(test::run(setup, test::make_grid(grid), whole));
+  ASSERT_FALSE(whole.kept.empty());
+  Simulation other(setup, test::plain_mesh());
+  Keeper rest;
+  StateReader reader(whole.kept[0].bytes, "checkpoint");
+  try {
+    other.resume(reader, rest, test::never);
+    ADD_FAILURE() << "no error";
+  } catch (const FileError& error) {
+    EXPECT_NE(std::string(error.what()).find("checkpoint: run.model.state.pressure: "),
+              std::string::npos)
+        << error.what();
+  }
+  EXPECT_TRUE(rest.resumed.empty());
+  EXPECT_TRUE(rest.history.empty());
+}
+
+}  // namespace
+}  // namespace percolith::simulation

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A block of 1 m by 1 m with a part that can be taken out and a fault, and a weight 0.01 m above it.
+// gmsh -2 -format msh41 -bin -o block.msh block.geo
+h = 0.14;
+Mesh.Algorithm = 5;
+Point(1) = {-0.5, 0, 0, h};
+Point(2) = {0.5, 0, 0, h};
+Point(3) = {0.5, 1, 0, h};
+Point(4) = {-0.5, 1, 0, h};
+Point(5) = {-0.15, 0.25, 0, h};
+Point(6) = {0.15, 0.25, 0, h};
+Point(7) = {0.15, 0.55, 0, h};
+Point(8) = {-0.15, 0.55, 0, h};
+Point(9) = {-0.35, 0.65, 0, h};
+Point(10) = {0.3, 0.8, 0, h};
+Point(11) = {-0.3, 1.01, 0, h};
+Point(12) = {0.3, 1.01, 0, h};
+Point(13) = {0.3, 1.3, 0, h};
+Point(14) = {-0.3, 1.3, 0, h};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Line(5) = {5, 6};
+Line(6) = {6, 7};
+Line(7) = {7, 8};
+Line(8) = {8, 5};
+Line(9) = {9, 10};
+Line(10) = {11, 12};
+Line(11) = {12, 13};
+Line(12) = {13, 14};
+Line(13) = {14, 11};
+Curve Loop(1) = {1, 2, 3, 4};
+Curve Loop(2) = {5, 6, 7, 8};
+Curve Loop(3) = {10, 11, 12, 13};
+Plane Surface(1) = {1, 2};
+Plane Surface(2) = {2};
+Plane Surface(3) = {3};
+Curve{9} In Surface{1};
+Physical Surface("rock") = {1};
+Physical Surface("core") = {2};
+Physical Surface("weight") = {3};
+Physical Curve("bottom") = {1};
+Physical Curve("right") = {2};
+Physical Curve("top") = {3};
+Physical Curve("left") = {4};
+Physical Curve("fault") = {9};
+Physical Curve("weight_top") = {12};
