@@ -66,7 +66,7 @@ void check_fractures(Rules& rules) {
       check_hydraulics(rules, path, group.fracture);
     }
   }
-  if (rules.setup().new_cracks) {
+  if (rules.setup().new_cracks && rules.given("new_cracks.exchange")) {
     check_hydraulics(rules, "new_cracks", rules.setup().new_cracks->fracture);
   }
 }

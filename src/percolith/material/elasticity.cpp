@@ -74,9 +74,10 @@ double plane_modulus(const ElasticRock& rock, Plane plane) {
   return d.xx_xx - d.xx_yy * yy - d.xx_xy * xy;
 }
 
-WaveSpeeds wave_speeds(const ElasticRock& rock, Plane plane) {
+WaveSpeeds wave_speeds(const ElasticRock& rock, Plane plane, double pores) {
   const LayerStiffness d = layer_stiffness(rock, plane);
-  return {std::sqrt(std::max(d.d11, d.d22) / rock.density), std::sqrt(d.d66 / rock.density)};
+  return {std::sqrt((std::max(d.d11, d.d22) + pores) / rock.density),
+          std::sqrt(d.d66 / rock.density)};
 }
 
 }  // namespace percolith::material

@@ -41,6 +41,7 @@ struct WaveSpeeds {
   double compression = 0.0;
   double shear = 0.0;
 };
-[[nodiscard]] WaveSpeeds wave_speeds(const ElasticRock& rock, Plane plane);
+/// `pores` (Pa) is what fluid that cannot drain adds to the stiffness, alpha^2 M.
+[[nodiscard]] WaveSpeeds wave_speeds(const ElasticRock& rock, Plane plane, double pores = 0.0);
 
 }  // namespace percolith::material

@@ -175,7 +175,9 @@ std::vector<Dashpot> absorbing_edges(const Model& model, std::span<const Index> 
     const mesh::BoundaryEdge& edge = model.mesh.boundary[at(e)];
     const Index triangle = mesh::triangle_of(edge.corner[0]);
     const SolidMaterial& material = model.material[at(model.triangles.material[at(triangle)])];
-    const auto speed = material::wave_speeds(material.rock, model.plane);
+    // Waves leave no time to drain.
+    const double pores = model.pores.stiffness.empty() ? 0.0 : model.pores.stiffness[at(triangle)];
+    const auto speed = material::wave_speeds(material.rock, model.plane, pores);
     const Point along =
         model.mesh.vertex[at(edge.vertex[1])] - model.mesh.vertex[at(edge.vertex[0])];
     const double length = std::sqrt(dot(along, along));
