@@ -64,3 +64,10 @@ def breakdown_open_wall(smaller: float, larger: float, strength: float, pores: f
                         eta: float) -> float:
     """The same when the fluid of the hole gets into the rock (Haimson and Fairhurst)."""
     return (3 * smaller - larger + strength - 2 * eta * pores) / (2 * (1 - eta))
+
+
+def breakdown_open_wall_by_total_stress(smaller: float, larger: float, strength: float,
+                                        pores: float, eta: float) -> float:
+    """The same if the rock broke where its total stress reaches the strength, as the paper has it;
+    above that of the effective stress by a factor of about (2 - 2 eta)/(1 - 2 eta)."""
+    return (3 * smaller - larger + strength - 2 * eta * pores) / (1 - 2 * eta)
