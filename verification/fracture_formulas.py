@@ -31,6 +31,11 @@ class PressedCrack:
         return injected / (self.compliance + room / fluid_modulus)
 
 
+def growth_pressure(toughness: float, half: float) -> float:
+    """Pressure at which a crack of this half-length grows (Griffith)."""
+    return toughness / np.sqrt(np.pi * half)
+
+
 @dataclass(frozen=True)
 class ToughnessCrack:
     """A crack that a fluid without viscosity drives at the rate `rate` (m2/s into both wings), from
@@ -51,7 +56,7 @@ class ToughnessCrack:
 
     def pressure(self, time):
         """Above the stress across the crack, Pa."""
-        return self.toughness / np.sqrt(np.pi * self.half_length(time))
+        return growth_pressure(self.toughness, self.half_length(time))
 
 
 def breakdown_sealed_wall(smaller: float, larger: float, strength: float, pores: float) -> float:
