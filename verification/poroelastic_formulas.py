@@ -63,7 +63,7 @@ class PorousRock:
 
 
 class Consolidation:
-    """A column of height `height` (m) under `load` (Pa) on its drained top z = height (Terzaghi)."""
+    """A column of height `height` (m) under `load` (Pa) on its drained top (Terzaghi)."""
 
     def __init__(self, rock: PorousRock, height: float, load: float, terms: int = 400):
         self.rock, self.height, self.load = rock, height, load

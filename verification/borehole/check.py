@@ -19,6 +19,7 @@ HALF_RAMP = 0.15e-3  # s: the pressure stands for one that comes at once in the 
 WALL, RADIUS = 1e6, 0.1  # Pa, m
 NEAR, FAR = 0.115, 0.6  # m: two elements from the wall, end of the table
 BIOT = PorousRock().biot
+LABELS = {"pressure": "pressure", "radial": "radial stress", "hoop": "hoop stress"}
 SYMBOLS = {"pressure": "p", "radial": "srr", "hoop": "stt"}
 
 
@@ -69,9 +70,8 @@ def check(chapter: Chapter, work: Path) -> None:
             radius, found = profiles(run.frame(float(time) + HALF_RAMP))
             exact = reference(table, radius, time, name == "pressurised")
             for quantity, values in found.items():
-                chapter.at_most(f"{name}.{quantity}.{time}", f"{name} wall, {time} s: largest error "
-                                f"of the {quantity}{'' if quantity == 'pressure' else ' stress'} "
-                                "over the wall pressure",
+                chapter.at_most(f"{name}.{quantity}.{time}", f"{name} wall, {time} s: largest "
+                                f"error of the {LABELS[quantity]} over the wall pressure",
                                 abs(values - exact[quantity]).max() / WALL, 0.02)
             draw(next(panels), radius, found, line,
                  reference(table, line, time, name == "pressurised"), f"{name} wall, {time} s")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pressure in a borehole rises until its wall breaks: with a wall that lets the fluid into the rock,
-with a sealed one, and with joints that feel the total stress."""
+"""Pressure in a borehole rises until its wall breaks: with a wall that lets the fluid into the
+rock, with a sealed one, and with joints that feel the total stress."""
 
 from pathlib import Path
 
@@ -19,7 +19,7 @@ STRESSES = (5e6, 7e6, 4e6, 1e6)  # Pa: S_h, S_H, tensile strength, pore pressure
 ETA = PorousRock().eta
 RAMP = {"times": [0, 2e-3, 6e-3, 16e-3], "values": [1e6, 1e6, 6e6, 13e6]}
 STEEP = {"times": [0, 2e-3, 6e-3, 16e-3], "values": [1e6, 1e6, 30e6, 60e6]}
-# In the sealed case fluid that gives way much keeps the pressure of the pores as the hole disturbs it.
+# In the sealed case a fluid that gives way much keeps the pressure of the pores as it was.
 VARIANTS = {
     "open": (RAMP, {}, breakdown_open_wall(*STRESSES, ETA)),
     "sealed": (RAMP, {"boundary.wall.on": "crack", "material.rock.biot_modulus": 5e8,
@@ -58,4 +58,4 @@ def check(chapter: Chapter, work: Path) -> None:
     axes.set_xticks([5, 10, 20, 50], ["5", "10", "20", "50"])
     axes.grid(alpha=0.3)
     axes.legend(frameon=False)
-    chapter.add_figure(figure, "Joints of the line that broke; dotted: where strength says it should")
+    chapter.add_figure(figure, "Joints of the line that broke; dotted: where theory has it")

@@ -36,8 +36,8 @@ def check(chapter: Chapter, work: Path) -> None:
         rock = max(np.hypot(*f.matrix.cell_data["darcy_flux_m_per_s"].T).max() for f in frames)
         crack = max(abs(f.cracks.cell_data["flux_m2_per_s"]).max() for f in frames)
         head = max(abs(f.matrix.point_data["head_m"] - 20).max() for f in frames)
-        chapter.at_most(f"{label}.speed", f"{label}: speed of the rock, root mean square, over that "
-                        "of a free fall of 1 ms", speed / FALL, 1e-9)
+        chapter.at_most(f"{label}.speed", f"{label}: speed of the rock, root mean square, over "
+                        "that of a free fall of 1 ms", speed / FALL, 1e-9)
         chapter.at_most(f"{label}.rock", f"{label}: largest Darcy flux over k rho g/mu",
                         rock / ROCK, 1e-9)
         chapter.at_most(f"{label}.crack", f"{label}: largest flux in a fracture over a^3 rho g/(12 "

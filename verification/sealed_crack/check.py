@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fluid pumped into a sealed crack: the pressure after the pump stops, for a stiff and a soft fluid."""
+"""Fluid pumped into a sealed crack, a stiff one and a soft one: pressure once the pump stops."""
 
 from pathlib import Path
 
@@ -15,8 +15,8 @@ HERE = Path(__file__).parent
 CRACK = PressedCrack(1.0, plane_modulus(10e9, 0.25))
 ROOM = 2e-3  # m2: aperture times length of both wings
 RAMPS, PUMPING = 1e-3, 10e-3  # s: of the rate, up and down; until it falls
-# Modulus of the fluid, Pa, and rate into each wing, m2/s. The stiff one gives way much less than the
-# rock, the soft one about as much; of it so little is pumped that its own law stays linear.
+# Modulus of the fluid, Pa, and rate into each wing, m2/s. The stiff one gives way much less than
+# the rock, the soft one about as much; of it so little is pumped that its own law stays linear.
 FLUIDS = {"stiff": (2.2e9, 3e-2), "soft": (3.4e6, 3e-4)}
 
 

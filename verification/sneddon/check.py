@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A crack under a given pressure: opening, volume, order in the element size; with and without stress
-in the rock."""
+"""A crack under a given pressure: opening, volume, order in the element size; with and without
+stress in the rock."""
 
 from pathlib import Path
 
@@ -17,8 +17,9 @@ HERE = Path(__file__).parent
 PRESSURE = 1e6  # Pa, above the stress across the crack
 CRACK = PressedCrack(1.0, plane_modulus(10e9, 0.25))
 PER_LENGTH = (20, 40, 80)  # elements along half of the crack
-STRESSED = {"in_situ.stress_xx": -5e6, "in_situ.stress_yy": -5e6, "boundary.outer.groups": ["outer"],
-            "boundary.outer.in_situ": True, "initial.crack_pressure": 5e6,
+STRESSED = {"in_situ.stress_xx": -5e6, "in_situ.stress_yy": -5e6,
+            "boundary.outer.groups": ["outer"], "boundary.outer.in_situ": True,
+            "initial.crack_pressure": 5e6,
             "source.pump.pressure": {"times": [0, 10e-3], "values": [5e6, 6e6]},
             "time.stop_ratio": 1e-6}
 
