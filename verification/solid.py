@@ -33,6 +33,28 @@ def mean_of(frame: Frame, quantity: str, chosen: np.ndarray | None = None) -> np
     return weight @ values / weight.sum()
 
 
+def recovered(frame: Frame, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Places of the vertices (m), and the mean at each of the values of its triangles, weighted by
+    their areas."""
+    places, vertex = np.unique(np.round(frame.matrix.points, 9), axis=0, return_inverse=True)
+    cells = vertex.reshape(-1)[frame.matrix.cells].ravel()
+    weight = np.repeat(areas(frame), 3)
+    total = np.bincount(cells, weight)
+    return places, np.bincount(cells, weight * np.repeat(values, 3)) / total
+
+
+def polar_stress(frame: Frame) -> tuple[np.ndarray, np.ndarray]:
+    """(radial, hoop) stress of the triangles about the origin, Pa."""
+    x, y = (centres(frame) / np.hypot(*centres(frame).T)[:, None]).T
+    xx, yy, xy = (frame.matrix.cell_data[f"stress_{axes}_Pa"] for axes in ("xx", "yy", "xy"))
+    return (xx * x**2 + yy * y**2 + 2 * xy * x * y, xx * y**2 + yy * x**2 - 2 * xy * x * y)
+
+
+def pore_pressure(frame: Frame) -> np.ndarray:
+    """Mean of the corners of each triangle, Pa."""
+    return frame.matrix.point_data["pressure_Pa"][frame.matrix.cells].mean(axis=1)
+
+
 def residual(run: RunDirectory) -> float:
     """Largest residual of the energy balance at any time over the largest energy or work."""
     history = run.history

@@ -32,6 +32,70 @@ def test_strip_and_radial_meet_their_boundary_values():
     assert slope == pytest.approx(float(formulas.radial_gradient(0.5)), rel=1e-6)
 
 
+@pytest.mark.parametrize("time", [0.00147159, 0.0735795, 1.47159])
+def test_consolidation_agrees_with_the_table(time):
+    from poroelastic_formulas import Consolidation, PorousRock
+
+    rows = read_table(VERIFICATION / "terzaghi" / "terzaghi.csv")
+    column = Consolidation(PorousRock(), height=1.0, load=1e6)
+    computed = column.pressure(rows["z_m"], time)
+    assert computed == pytest.approx(rows[f"p_Pa_t{time}s"], rel=1e-5, abs=1.0)
+    assert column.settlement(0.0735795)[0] == pytest.approx(4.0174e-5, rel=1e-5)
+    assert column.settlement(1e4)[0] == pytest.approx(1e6 / PorousRock().oedometer)
+
+
+@pytest.mark.parametrize("time", ["0.001472", "0.01472", "0.1472"])
+def test_borehole_agrees_with_the_table(time):
+    from poroelastic_formulas import Borehole, PorousRock
+
+    rows = read_table(VERIFICATION / "borehole" / "borehole_wall_pressure.csv")
+    hole = Borehole(PorousRock(), radius=0.1, pressure=1e6)
+    radial, hoop = hole.stress(rows["r_m"], float(time))
+    assert hole.pressure(rows["r_m"], float(time)) == pytest.approx(rows[f"p_t{time}s"], abs=100)
+    assert radial == pytest.approx(rows[f"srr_t{time}s"], abs=100)
+    assert hoop == pytest.approx(rows[f"stt_t{time}s"], abs=100)
+
+
+def test_rock_with_pores_keeps_its_identities():
+    from poroelastic_formulas import PorousRock
+
+    rock = PorousRock(biot=0.8)
+    assert PorousRock().diffusivity == pytest.approx(0.6795, rel=1e-3)
+    assert PorousRock().eta == pytest.approx(0.375)
+    # Sealed rock: no fluid enters, so its volume falls by what the pressure presses together.
+    pressure = rock.undrained_pressure(-20e3)
+    strain = rock.strain(-12e3, -8e3, pressure)
+    assert pressure == pytest.approx(-rock.modulus * rock.biot * sum(strain))
+    # Pressure all round and inside presses the grains alone.
+    both = rock.strain(-1e4, -1e4, 1e4)
+    assert both[0] == pytest.approx(-0.2 * 1e4 / (2 * rock.plane_bulk))
+
+
+def test_cracks_that_a_fluid_opens():
+    from fracture_formulas import PressedCrack, ToughnessCrack
+
+    crack = PressedCrack(half=2.0, modulus=10e9)
+    x = np.linspace(-2, 2, 20001)
+    assert np.trapezoid(crack.opening(x, 1e6), x) == pytest.approx(crack.compliance * 1e6, rel=1e-5)
+    assert crack.sealed_pressure(1e-3, 1e-9, 1e9) == pytest.approx(1e-3 / crack.compliance)
+    driven = ToughnessCrack(rate=1e-4, toughness=1e6, modulus=32e9)
+    assert driven.half_length(10.0) == pytest.approx(4.335, rel=1e-3)
+    assert driven.width(10.0) == pytest.approx(1.468e-4, rel=1e-3)
+    assert driven.pressure(10.0) == pytest.approx(2.710e5, rel=1e-3)
+    # Its volume is what has been pumped.
+    crack = PressedCrack(driven.half_length(10.0), 32e9)
+    assert crack.compliance * driven.pressure(10.0) == pytest.approx(1e-3)
+
+
+def test_breakdown_bounds():
+    import fracture_formulas as f
+
+    stresses = (5.0, 7.0, 4.0, 1.0)
+    assert f.breakdown_sealed_wall(*stresses) == 11.0
+    assert f.breakdown_open_wall(*stresses, 0.375) == pytest.approx(9.0)
+    assert f.breakdown_open_wall_by_total_stress(*stresses, 0.375) == pytest.approx(45.0)
+
+
 def test_measures():
     import criteria
 
