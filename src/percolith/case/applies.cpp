@@ -21,7 +21,16 @@ bool is_geometry(const std::string& file) {
 }
 
 bool chooses_step(const Setup& setup, const std::string& /*name*/) {
-  return setup.time.scheme == Scheme::implicit && !setup.time.step;
+  return (setup.time.scheme == Scheme::implicit || setup.time.scheme == Scheme::quasi_static) &&
+         !setup.time.step;
+}
+
+bool is_quasi_static(const Setup& setup, const std::string& /*name*/) {
+  return setup.time.scheme == Scheme::quasi_static;
+}
+
+bool has_tolerance(const Setup& setup, const std::string& name) {
+  return chooses_step(setup, name) || is_quasi_static(setup, name);
 }
 
 bool is_transient(const Setup& setup, const std::string& /*name*/) {
@@ -34,7 +43,7 @@ bool chooses_state(const Setup& setup, const std::string& name) {
 
 const std::string transient = "time.scheme = \"implicit\" or \"explicit\"";
 const std::string free_state = transient + " without initial.steady";
-const std::string free_step = "time.scheme = \"implicit\" without time.step";
+const std::string free_step = "time.scheme = \"implicit\" or \"quasi_static\" without time.step";
 
 const std::vector<Applicability> of_seepage_and_run{
     {"mesh.element_size",
@@ -78,7 +87,8 @@ const std::vector<Applicability> of_seepage_and_run{
     {"time.step", {"time.scheme"}, is_transient, transient},
     {"time.initial_step", {"time.scheme", "time.step"}, chooses_step, free_step},
     {"time.maximum_step", {"time.scheme", "time.step"}, chooses_step, free_step},
-    {"time.tolerance", {"time.scheme", "time.step"}, chooses_step, free_step},
+    {"time.tolerance", {"time.scheme", "time.step"}, has_tolerance, free_step},
+    {"time.balance_tolerance", {"time.scheme"}, is_quasi_static, "time.scheme = \"quasi_static\""},
     {"time.safety",
      {"time.scheme"},
      [](const Setup& setup, const std::string&) { return setup.time.scheme == Scheme::explicit_; },

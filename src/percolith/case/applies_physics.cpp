@@ -10,7 +10,7 @@ namespace {
 using simulation::Physics;
 using simulation::Setup;
 
-constexpr std::array<std::string_view, 21> of_flow{{
+constexpr std::array<std::string_view, 24> of_flow{{
     "model.head_datum",
     "model.pore_joints",
     "model.joint_factor",
@@ -32,6 +32,9 @@ constexpr std::array<std::string_view, 21> of_flow{{
     "source.*",
     "initial",
     "probe.*.in",
+    "time.initial_step",
+    "time.maximum_step",
+    "time.tolerance",
 }};
 
 constexpr std::array<std::string_view, 45> of_motion{{
@@ -82,13 +85,7 @@ constexpr std::array<std::string_view, 45> of_motion{{
     "time.mass_scaling_step",
 }};
 
-constexpr std::array<std::string_view, 3> of_flow_alone{{
-    "time.initial_step",
-    "time.maximum_step",
-    "time.tolerance",
-}};
-
-constexpr std::array<std::string_view, 8> of_coupling{{
+constexpr std::array<std::string_view, 9> of_coupling{{
     "model.joint_stress",
     "model.fluid_enters",
     "model.crack_storage",
@@ -97,6 +94,7 @@ constexpr std::array<std::string_view, 8> of_coupling{{
     "boundary.*.pressurised",
     "excavation.*.pressure",
     "fracture.*.closure_stress",
+    "time.balance_tolerance",
 }};
 
 bool has_flow(const Setup& setup, const std::string& /*name*/) {
@@ -109,10 +107,6 @@ bool has_motion(const Setup& setup, const std::string& /*name*/) {
 
 bool is_coupled(const Setup& setup, const std::string& /*name*/) {
   return setup.model.physics == Physics::coupled;
-}
-
-bool is_flow_alone(const Setup& setup, const std::string& /*name*/) {
-  return setup.model.physics == Physics::seepage;
 }
 
 bool is_breakable(const Setup& setup, const std::string& name) {
@@ -189,7 +183,6 @@ std::vector<Applicability> needs_of_physics() {
     }
   };
   add(of_flow, has_flow, needs_flow);
-  add(of_flow_alone, is_flow_alone, needs_flow_alone);
   add(of_motion, has_motion, needs_motion);
   add(of_coupling, is_coupled, needs_coupling);
   return rules;

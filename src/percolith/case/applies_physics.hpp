@@ -11,7 +11,6 @@ namespace percolith::case_file {
 inline constexpr std::string_view needs_flow = "model.physics = \"seepage\" or \"coupled\"";
 inline constexpr std::string_view needs_motion = "model.physics = \"mechanics\" or \"coupled\"";
 inline constexpr std::string_view needs_coupling = "model.physics = \"coupled\"";
-inline constexpr std::string_view needs_flow_alone = "model.physics = \"seepage\"";
 
 /// Options and tables that not every physics has.
 [[nodiscard]] std::vector<Applicability> needs_of_physics();

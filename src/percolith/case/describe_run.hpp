@@ -13,26 +13,35 @@ void describe(V& option, simulation::Stepping& m) {
   option(m.scheme, Choice<Scheme>{"scheme",
                                   {{Scheme::implicit, "implicit"},
                                    {Scheme::explicit_, "explicit"},
-                                   {Scheme::steady, "steady"}},
+                                   {Scheme::steady, "steady"},
+                                   {Scheme::quasi_static, "quasi_static"}},
                                   "implicit takes long, error-controlled steps; explicit takes "
                                   "small ones below its stability limit; steady finds the state "
-                                  "that no longer changes. Mechanics is always explicit.",
+                                  "that no longer changes. Mechanics is always explicit; coupled "
+                                  "runs are explicit, or, for slow injection, quasi_static: a rock "
+                                  "in balance with the flow at every step.",
                                   "explicit"});
   option(m.end, Quantity{"end", "s", positive, Need::optional,
                          "Time at which the run ends. Needs implicit or explicit.",
                          "required unless steady"});
   option(m.step, Quantity{"step", "s", positive, Need::optional,
-                          "Fixed step (implicit), or upper bound of the step (explicit).",
+                          "Fixed step (implicit, quasi_static), or upper bound of the step "
+                          "(explicit).",
                           "chosen by the program"});
-  option(m.initial_step,
-         Quantity{"initial_step", "s", positive, Need::optional,
-                  "First step. Needs implicit without step.", "chosen by the program"});
+  option(m.initial_step, Quantity{"initial_step", "s", positive, Need::optional,
+                                  "First step. Needs implicit or quasi_static without step.",
+                                  "chosen by the program"});
   option(m.maximum_step,
          Quantity{"maximum_step", "s", positive, Need::optional,
-                  "Upper bound of the step. Needs implicit without step.", "no bound"});
+                  "Upper bound of the step. Needs implicit or quasi_static without step.",
+                  "no bound; a twentieth of the run where it is quasi_static"});
   option(m.tolerance, Quantity{"tolerance", "1", Bounds{0.0, 1.0, false, false}, Need::optional,
-                               "Error allowed in one step over the range of pressure. Needs "
-                               "implicit without step."});
+                               "Error allowed in one step over the range of pressure (implicit "
+                               "without step); change of the pressures between two iterations, "
+                               "over the largest, that ends a quasi_static step."});
+  option(m.balance_tolerance,
+         Quantity{"balance_tolerance", "1", Bounds{0.0, 1.0, false, false}, Need::optional,
+                  "Unbalanced force over internal forces that a quasi_static step may leave."});
   option(m.safety, Quantity{"safety", "1", positive_fraction, Need::optional,
                             "Share of the stability limit that is used. Needs explicit."});
   option(m.stop_ratio, Quantity{"stop_ratio", "1", Bounds{0.0, 1.0, false, false}, Need::optional,

@@ -49,6 +49,33 @@ void check_cavitation(Rules& rules) {
   }
 }
 
+/// A rock that is in balance at every step has no velocity.
+void check_quasi_static(Rules& rules) {
+  const Setup& setup = rules.setup();
+  if (setup.time.scheme != simulation::Scheme::quasi_static) {
+    return;
+  }
+  for (const auto& [name, condition] : setup.boundary) {
+    const std::string path = "boundary." + name;
+    for (const char* const option :
+         {".velocity_x", ".velocity_y", ".displacement_x", ".displacement_y", ".absorbing"}) {
+      if (rules.given(path + option)) {
+        rules.fail(path + option, {"time.scheme"},
+                   "a quasi-static run takes no motion of its boundaries",
+                   "fixed, roller, loads, or time.scheme = \"explicit\"");
+      }
+    }
+  }
+  for (const auto& [name, body] : setup.body) {
+    rules.fail("body." + name, {"time.scheme"}, "a quasi-static run has no bodies in motion",
+               "time.scheme = \"explicit\"");
+  }
+  if (setup.time.stop_ratio) {
+    rules.fail("time.stop_ratio", {"time.scheme"}, "a quasi-static run is at rest at every step",
+               "time.balance_tolerance");
+  }
+}
+
 void check_plane(Rules& rules) {
   if (rules.setup().model.plane == simulation::Plane::stress) {
     rules.fail("model.plane", {"model.physics"},
@@ -64,6 +91,7 @@ void check_coupling(Rules& rules) {
   check_pressurised(rules);
   check_cavitation(rules);
   check_plane(rules);
+  check_quasi_static(rules);
 }
 
 }  // namespace percolith::case_file

@@ -88,9 +88,16 @@ void check_probe(Rules& rules, const std::string& path, const simulation::Probe&
 }  // namespace
 
 void check_physics(Rules& rules) {
-  if (rules.has_motion() && rules.setup().time.scheme != Scheme::explicit_) {
+  const Scheme scheme = rules.setup().time.scheme;
+  const bool is_quasi_static = scheme == Scheme::quasi_static;
+  if (is_quasi_static && !rules.is_coupled()) {
+    rules.fail("time.scheme", {"model.physics"}, "only coupled runs are quasi-static",
+               rules.has_motion() ? "\"explicit\", or none"
+                                  : "\"implicit\", \"explicit\" or \"steady\"");
+  } else if (rules.has_motion() && !is_quasi_static && scheme != Scheme::explicit_) {
     rules.fail("time.scheme", {"model.physics"}, "the motion of rock is advanced explicitly",
-               "\"explicit\", or none");
+               rules.is_coupled() ? "\"explicit\", \"quasi_static\", or none"
+                                  : "\"explicit\", or none");
   }
 }
 

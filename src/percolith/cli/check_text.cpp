@@ -84,6 +84,9 @@ std::string limit_text(const simulation::CheckReport& report,
   for (const simulation::StepLimit& limit : report.limits) {
     stable = std::fmin(stable, limit.step);  // the mechanisms act together: the last one holds
   }
+  if (stepping.scheme == simulation::Scheme::quasi_static) {
+    return text + "  scheme quasi_static: these rule the steps that seek the balance of forces\n";
+  }
   if (is_mechanics) {  // which has no other scheme
     return text + explicit_text(stepping, stable, fmt::format(", safety {:g}", stepping.safety));
   }
@@ -92,6 +95,7 @@ std::string limit_text(const simulation::CheckReport& report,
     return text + explicit_text(stepping, stable, "");
   case simulation::Scheme::implicit:
     return text + "  scheme implicit: the step is ruled by time.tolerance, not by these\n";
+  case simulation::Scheme::quasi_static:
   case simulation::Scheme::steady:
     break;
   }

@@ -35,7 +35,16 @@ bool ImplicitFlow::attempt(const Model& model, double dt, Execution& execution) 
 }
 
 bool ImplicitFlow::attempt(const Model& model, double t, double dt, Execution& execution) {
+  return attempt(model, t, dt, execution, {});
+}
+
+bool ImplicitFlow::attempt(const Model& model, double t, double dt, Execution& execution,
+                           std::span<const double> compliance) {
   prepare(model, t, dt);
+  for (std::size_t n = 0; n < compliance.size(); ++n) {
+    storage_rate_[n] += compliance[n] / dt;
+    source_[n] += compliance[n] / dt * (start_.pressure[n] - model.reference_pressure());
+  }
   if (!iterate(model, dt, execution)) {
     factorised_dt_ = 0.0;
     return false;
@@ -184,6 +193,32 @@ double ImplicitFlow::inflow_of_pores(double dt) const {
     sum += graph_.members.row(n).front() >= 0 ? inflow_[at(n)] : 0.0;
   }
   return sum * dt;
+}
+
+double ImplicitFlow::leaked_from_cracks(double dt) const {
+  double sum = 0.0;
+  for (auto e = at(graph_.crack_edges); e < flow_.size(); ++e) {
+    // The edge runs from the face to the crack.
+    sum -= flow_[e];
+  }
+  return sum * dt;
+}
+
+void ImplicitFlow::show_pressures(Model& model) const {
+  for (Index n = 0; n < graph_.nodes(); ++n) {
+    const double pressure = state_.pressure[at(n)] + state_.change[at(n)];
+    for (const Index m : graph_.members.row(n)) {
+      if (m < 0) {
+        model.state.crack_pressure[at(-1 - m)] = pressure;
+        model.state.crack_saturation[at(-1 - m)] = state_.saturation[at(n)];
+        continue;
+      }
+      model.pore_nodes.for_each_corner(model.mesh, m, [&](Index corner) {
+        model.state.pressure[at(corner)] = pressure;
+        model.state.saturation[at(corner)] = state_.saturation[at(n)];
+      });
+    }
+  }
 }
 
 void ImplicitFlow::apply(Model& model) {

@@ -35,6 +35,12 @@ public:
   [[nodiscard]] bool attempt(const Model& model, double dt, Execution& execution);
   /// The same for a step that starts at time `t`, s.
   [[nodiscard]] bool attempt(const Model& model, double t, double dt, Execution& execution);
+  /// The same where the room of each node of the graph grows besides with its pressure beyond the
+  /// present one, by `compliance` (m2/Pa): an iteration towards a room that follows the pressure.
+  [[nodiscard]] bool attempt(const Model& model, double t, double dt, Execution& execution,
+                             std::span<const double> compliance);
+  /// Shows the pressures and saturations of the attempted step in the model, whose contents stay.
+  void show_pressures(Model& model) const;
 
   /// Local error of the attempted step: the change of content that the present and the previous
   /// rates disagree about, over the content that a change of pressure by its range in the model
@@ -49,6 +55,8 @@ public:
   /// Fluid that flowed into the pore nodes in the attempted step of `dt` seconds, m2: in a step of
   /// the cracks alone what leaked out of them.
   [[nodiscard]] double inflow_of_pores(double dt) const;
+  /// Fluid that left the cracks through their faces in the attempted step of `dt` seconds, m2.
+  [[nodiscard]] double leaked_from_cracks(double dt) const;
   /// What the conditions let in in the attempted step.
   [[nodiscard]] std::span<const Booking> bookings() const { return booked_; }
 

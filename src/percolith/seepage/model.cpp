@@ -172,18 +172,33 @@ void set_crack_content(Model& model, Index vertex, CompensatedSum content) {
   s.crack_saturation[i] = fluid.saturation;
 }
 
+namespace {
+
+double growth_of(const Model& model, Index node) {
+  double growth = 0.0;
+  model.pore_nodes.for_each_corner(model.mesh, node, [&](Index corner) {
+    growth += model.swelling[at(mesh::triangle_of(corner))];
+  });
+  return (1.0 / 3.0) * growth;
+}
+
+}  // namespace
+
+void take_growth(Model& model) {
+  for (Index c = 0; c < model.mesh.corners(); ++c) {
+    if (model.pore_nodes.leader(c) == c && mesh::triangle_of(c) < model.mesh.triangles()) {
+      model.state.growth[at(c)] = growth_of(model, c);
+    }
+  }
+}
+
 void take_swelling(Model& model, Index vertex) {
   State& s = model.state;
   for (const Index node : model.mesh.vertex_corners.row(vertex)) {
-    if (model.pore_nodes.leader(node) != node) {
-      continue;
+    if (model.pore_nodes.leader(node) == node) {
+      s.growth[at(node)] = growth_of(model, node);
+      set_pore_content(model, node, {s.content[at(node)], s.content_carry[at(node)]});
     }
-    double growth = 0.0;
-    model.pore_nodes.for_each_corner(model.mesh, node, [&](Index corner) {
-      growth += model.swelling[at(mesh::triangle_of(corner))];
-    });
-    s.growth[at(node)] = (1.0 / 3.0) * growth;
-    set_pore_content(model, node, {s.content[at(node)], s.content_carry[at(node)]});
   }
 }
 

@@ -127,6 +127,9 @@ void set_crack_content(Model& model, Index vertex, CompensatedSum content);
 /// contents stay, pressures follow.
 void take_swelling(Model& model, Index vertex);
 
+/// Brings the growth of all pore nodes up to date; contents and pressures stay.
+void take_growth(Model& model);
+
 /// What the faces of a broken joint have moved apart since time zero.
 struct CrackOpening {
   Index joint = 0;

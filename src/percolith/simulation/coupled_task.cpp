@@ -2,6 +2,7 @@
 #include "percolith/core/error.hpp"
 #include "percolith/coupling/build.hpp"
 #include "percolith/coupling/drainage.hpp"
+#include "percolith/coupling/quasi_static.hpp"
 #include "percolith/seepage/flow_graph.hpp"
 #include "percolith/seepage/state.hpp"
 #include "percolith/seepage/steady_flow.hpp"
@@ -62,6 +63,20 @@ WaterRun make_water(const Setup& setup, const mesh::GmshMesh& mesh) {
   return {std::move(model), std::move(reader), 0.0, std::move(drainage)};
 }
 
+/// What the motion takes of a setup. In a quasi-static run it only finds the balance of forces: its
+/// step is its own, and damping takes out what it swings.
+Setup setup_of_motion(const Setup& setup) {
+  constexpr double damping = 0.7;
+  Setup motion = setup;
+  if (setup.time.scheme == Scheme::quasi_static) {
+    motion.time.step.reset();
+    if (setup.damping == Damping{}) {
+      motion.damping.local = damping;
+    }
+  }
+  return motion;
+}
+
 class CoupledTask : public SolidTask {
 public:
   CoupledTask(const Setup& setup, SolidRun rock, WaterRun water)
@@ -75,6 +90,21 @@ public:
     const auto more = model_warnings(setup, water_.model);
     run_.summary.warnings.insert(run_.summary.warnings.end(), more.begin(), more.end());
     warn_of_biot(setup);
+    if (setup.time.scheme == Scheme::quasi_static) {
+      slow_ = std::make_unique<coupling::QuasiStatic>(
+          model_,
+          coupling::QuasiStaticOptions{setup.time.tolerance, setup.time.balance_tolerance, step_});
+      longest_flow_step_ = setup.time.maximum_step.value_or(setup.time.end / 20.0);
+      flow_step_ =
+          std::min(setup.time.initial_step.value_or(setup.time.end / 100.0), longest_flow_step_);
+    }
+  }
+
+  /// For a quasi-static run with equal steps.
+  void fix_step(double step) {
+    flow_step_ = step;
+    longest_flow_step_ = step;
+    is_fixed_ = true;
   }
 
   [[nodiscard]] CheckReport check() const override;
@@ -82,14 +112,20 @@ public:
 
 protected:
   mechanics::Changes advance(double dt) override {
+    if (slow_) {
+      return advance_slowly(dt);
+    }
     mechanics::Changes changes = scheme_.advance(dt, run_.execution);
     limit_now_ = limit_.motion(model_);
     return changes;
   }
   [[nodiscard]] double longest_step() const override {
-    return std::min(step_, run_.setup.time.safety * limit_now_);
+    return slow_ ? flow_step_ : std::min(step_, run_.setup.time.safety * limit_now_);
   }
   [[nodiscard]] const char* limited_by() const override {
+    if (slow_) {
+      return is_fixed_ ? "given step" : "iterations";
+    }
     return run_.setup.time.safety * limit_now_ < step_ ? "fluid in cracks"
                                                        : SolidTask::limited_by();
   }
@@ -109,21 +145,29 @@ protected:
   }
   HistoryRow history_row(double step_size) override {
     run_.summary.throughput = water_.model.rate_in;
-    return coupled_history_row(run_, water_, scheme_.leaked(), step_size);
+    const double leaked = slow_ ? slow_->leaked() : scheme_.leaked();
+    return coupled_history_row(run_, water_, leaked, step_size);
   }
   void take_out(const Digging& digging) override;
   void describe_state(StateArchive& archive) override;
   void require_valid() const override;
-  [[nodiscard]] std::int64_t iterations() const override { return scheme_.iterations(); }
+  [[nodiscard]] std::int64_t iterations() const override {
+    return slow_ ? slow_->iterations() : scheme_.iterations();
+  }
 
 private:
+  mechanics::Changes advance_slowly(double dt);
   void warn_of_biot(const Setup& setup);
 
   WaterRun water_;
   coupling::CoupledModel model_;
   coupling::StepLimit limit_;
   coupling::CoupledStep scheme_;
-  double limit_now_ = limit_.motion(model_);  // s
+  double limit_now_ = limit_.motion(model_);     // s
+  std::unique_ptr<coupling::QuasiStatic> slow_;  // of a quasi-static run
+  double flow_step_ = 0.0;                       // s: of it
+  double longest_flow_step_ = 0.0;               // s
+  bool is_fixed_ = false;
 };
 
 void CoupledTask::warn_of_biot(const Setup& setup) {
@@ -138,10 +182,28 @@ void CoupledTask::warn_of_biot(const Setup& setup) {
   }
 }
 
+/// Steps that take many iterations are too long, those that take few too short.
+mechanics::Changes CoupledTask::advance_slowly(double dt) {
+  constexpr int few = 8;
+  constexpr int many = 25;
+  mechanics::Changes changes = slow_->advance(dt, run_.execution);
+  run_.summary.iterations += slow_->iterations();
+  run_.summary.rejected_steps += slow_->parts() - 1;
+  if (!is_fixed_ && (slow_->parts() > 1 || slow_->iterations() > many)) {
+    flow_step_ = std::min(flow_step_, 0.5 * dt);
+  } else if (!is_fixed_ && slow_->iterations() < few) {
+    flow_step_ = std::min(1.5 * flow_step_, longest_flow_step_);
+  }
+  return changes;
+}
+
 void CoupledTask::take_out(const Digging& digging) {
   SolidTask::take_out(digging);
   coupling::drain(model_, digging.triangles, water_.drainage.at(digging.name));
   scheme_.network_changed();
+  if (slow_) {
+    slow_->network_changed();
+  }
 }
 
 /// Excavations that are done have changed the conditions of the flow.
@@ -158,6 +220,10 @@ void CoupledTask::describe_state(StateArchive& archive) {
     water_.model.swelling = run_.dynamics.model().pores.growth;
   }
   archive("scheme", scheme_);
+  if (slow_) {
+    archive("slow", *slow_);
+    archive("flow_step", flow_step_);
+  }
   limit_now_ = limit_.motion(model_);
 }
 
@@ -202,6 +268,13 @@ void CoupledTask::require_valid() const {
         "kept. Look for extreme or contradictory values near that place, or lower time.safety",
         *place, time(), run_.summary.steps));
   }
+  if (const auto place = find_overdrawn(water_.model)) {
+    throw SolverError(fmt::format(
+        "a source or flux takes more fluid than there is from the {} at time {:.9g} s (step {}); "
+        "the results up to the last output are kept. Lower the rate that is taken there, or give a "
+        "pressure in its place",
+        *place, time(), run_.summary.steps));
+  }
 }
 
 }  // namespace
@@ -210,11 +283,16 @@ std::unique_ptr<Task> make_coupled_task(const Setup& setup, const mesh::GmshMesh
   require_sensible_intervals(setup);
   WaterRun water = make_water(setup, mesh);
   const std::vector<double> biot = biot_of_regions(setup, water.model.mesh);
-  SolidStart start = build_solid(setup, mesh, [&](mechanics::Model& rock) {
+  const Setup motion = setup_of_motion(setup);
+  SolidStart start = build_solid(motion, mesh, [&](mechanics::Model& rock) {
     coupling::moisten(rock, water.model, biot, setup.model.joint_stress);
   });
-  return std::make_unique<CoupledTask>(setup, make_solid_run(setup, std::move(start)),
-                                       std::move(water));
+  auto task = std::make_unique<CoupledTask>(motion, make_solid_run(motion, std::move(start)),
+                                            std::move(water));
+  if (setup.time.scheme == Scheme::quasi_static && setup.time.step) {
+    task->fix_step(*setup.time.step);
+  }
+  return task;
 }
 
 }  // namespace percolith::simulation

@@ -71,6 +71,7 @@ private:
     case Scheme::implicit:
       run_implicit(setup_, run_, observer, stop, from);
       break;
+    case Scheme::quasi_static:
     case Scheme::explicit_:
       run_explicit(setup_, run_, observer, stop, from);
       break;

@@ -42,7 +42,7 @@ enum class RockJoints { breakable, elastic };
 /// Whether a fracture is broken from the start, or bonded with strengths of its own.
 enum class Bond { broken, cohesive };
 /// How the flow is advanced in time (theory.md section 6).
-enum class Scheme { implicit, explicit_, steady };
+enum class Scheme { implicit, explicit_, steady, quasi_static };
 /// Which pressures a boundary condition or a point source acts on.
 enum class Domain { both, matrix, crack };
 
@@ -194,7 +194,9 @@ struct Stepping {
   std::optional<double> step;          ///< s: fixed step (implicit) or upper bound (explicit)
   std::optional<double> initial_step;  ///< s, implicit
   std::optional<double> maximum_step;  ///< s, implicit
-  double tolerance = 1e-3;             ///< local error per step over the pressure range, implicit
+  double tolerance = 1e-3;             ///< local error per step over the pressure range, implicit;
+                                       ///< of pressures and rock agreeing, quasi-static
+  double balance_tolerance = 1e-4;     ///< unbalanced over internal forces, quasi-static
   double safety = 0.9;                 ///< share of the stability limit used, explicit
   /// Mechanics ends early when the unbalanced force is below this share of the internal forces.
   std::optional<double> stop_ratio;

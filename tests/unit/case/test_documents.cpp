@@ -150,7 +150,7 @@ TEST(Schema, HoldsUnitsBoundsDefaultsAndNeed) {
   EXPECT_EQ(rock["properties"]["porosity"]["anyOf"][0]["maximum"], 1.0);
   EXPECT_EQ(schema["required"], (std::vector<std::string>{"format", "mesh", "model"}));
   EXPECT_EQ(schema["properties"]["time"]["properties"]["scheme"]["enum"],
-            (std::vector<std::string>{"implicit", "explicit", "steady"}));
+            (std::vector<std::string>{"implicit", "explicit", "steady", "quasi_static"}));
 }
 
 TEST(Reference, IsTheCommittedPage) {
@@ -171,8 +171,11 @@ TEST(Reference, TellsWhichPhysicsAnOptionBelongsTo) {
                               "mechanics and coupled only.*\n"));
   EXPECT_THAT(page, HasSubstr("| **required** | Acceleration of gravity along -y: 9.81 for a "
                               "vertical section, 0 for a horizontal plan. |\n"));
-  EXPECT_THAT(page, HasSubstr("`\"steady\"`; in mechanics `\"explicit\"` | `\"implicit\"`; in "
-                              "mechanics `\"explicit\"` |"));
+  EXPECT_THAT(
+      page,
+      HasSubstr(
+          "`\"steady\"`, `\"quasi_static\"`; in mechanics `\"explicit\"` | `\"implicit\"`; in "
+          "mechanics `\"explicit\"` |"));
   EXPECT_EQ(physics_of("material.*.regions").size(), 3U);
 }
 

@@ -39,13 +39,25 @@ TEST(ReadCoupled, RefusesWhatItCannotCompute) {
   EXPECT_THAT(coupled_error({"material.rock.biot_coefficient=-0.5"}), HasSubstr("out of range"));
 }
 
+TEST(ReadCoupled, QuasiStaticRunsTakeNoMotionFromOutside) {
+  EXPECT_EQ(coupled_error({"time.scheme=quasi_static", "time.tolerance=1e-4", "time.step=1",
+                           "time.balance_tolerance=1e-5"}),
+            "");
+  EXPECT_THAT(coupled_error({"time.scheme=quasi_static", "boundary.wall.velocity_x=1"}),
+              HasSubstr("takes no motion of its boundaries"));
+  EXPECT_THAT(coupled_error({"time.scheme=quasi_static", "time.stop_ratio=1e-3"}),
+              HasSubstr("at rest at every step"));
+  EXPECT_THAT(mechanics_error({"time.scheme=quasi_static"}),
+              HasSubstr("only coupled runs are quasi-static"));
+}
+
 TEST(ReadCoupled, KeepsItsOptionsFromTheHalves) {
   EXPECT_THAT(mechanics_error({"material.rock.biot_coefficient=0.5"}),
               HasSubstr("it needs model.physics = \"coupled\""));
   EXPECT_THAT(mechanics_error({"material.rock.porosity=0.5"}),
               HasSubstr("it needs model.physics = \"seepage\" or \"coupled\""));
   EXPECT_THAT(coupled_error({"time.tolerance=1e-4"}),
-              HasSubstr("it needs model.physics = \"seepage\""));
+              HasSubstr("it needs time.scheme = \"implicit\" or \"quasi_static\""));
 }
 
 }  // namespace

@@ -65,13 +65,13 @@ TEST(ReadingErrors, WrongKindOfValue) {
             "[material.rock] with its options below");
   EXPECT_EQ(error_set({"time.scheme=3"}),
             "--set: error: time.scheme = 3: expects a text, found a number; allowed: \"implicit\", "
-            "\"explicit\", \"steady\"");
+            "\"explicit\", \"steady\", \"quasi_static\"");
 }
 
 TEST(ReadingErrors, NoSuchChoice) {
   EXPECT_EQ(error_set({"time.scheme=implict"}),
             "--set: error: time.scheme = \"implict\": no such choice; allowed: \"implicit\", "
-            "\"explicit\", \"steady\"");
+            "\"explicit\", \"steady\", \"quasi_static\"");
 }
 
 TEST(ReadingErrors, AnOptionOfCouplingIsUnknown) {

@@ -204,7 +204,8 @@ TEST(Rules, OptionsOfAnotherScheme) {
             "--set: error: time.safety = 0.5: has no effect here: it needs time.scheme = "
             "\"explicit\"");
   const std::string free_step =
-      ": has no effect here: it needs time.scheme = \"implicit\" without time.step";
+      ": has no effect here: it needs time.scheme = \"implicit\" or \"quasi_static\" without "
+      "time.step";
   EXPECT_EQ(error_set({"time.scheme=explicit", "time.tolerance=0.5"}),
             "--set: error: time.tolerance = 0.5" + free_step);
   EXPECT_EQ(error_set({"time.step=1", "time.initial_step=0.5"}),
@@ -249,7 +250,7 @@ TEST(Rules, ASteadyStartTakesNoOtherInitialState) {
 TEST(Rules, ARuleIsSilentAboutAnOptionThatIsWrongItself) {
   EXPECT_EQ(error_set({"time.scheme=explict", "time.safety=0.5"}),
             "--set: error: time.scheme = \"explict\": no such choice; allowed: \"implicit\", "
-            "\"explicit\", \"steady\"");
+            "\"explicit\", \"steady\", \"quasi_static\"");
 }
 
 TEST(Rules, SteadyNeedsConstants) {

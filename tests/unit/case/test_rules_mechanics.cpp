@@ -54,7 +54,7 @@ TEST(RulesOfMechanics, OptionsOfSeepageHaveNoEffect) {
   }
   for (const std::string setting :
        {"time.initial_step = 1", "time.maximum_step = 1", "time.tolerance = 0.1"}) {
-    EXPECT_EQ(mechanics_error({setting}), no_effect(setting, std::string(needs_flow_alone)));
+    EXPECT_EQ(mechanics_error({setting}), no_effect(setting, needed));
   }
   EXPECT_EQ(mechanics_error({"model.pore_joints=finite"}),
             no_effect("model.pore_joints = \"finite\"", needed));
