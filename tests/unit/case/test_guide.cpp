@@ -9,18 +9,30 @@
 namespace percolith::case_file {
 namespace {
 
-/// The guide to case files in two parts: its section on mechanics, and the rest.
+/// The guide to case files in three parts: its sections on mechanics and on coupled cases, and the
+/// rest.
 struct Guide {
   std::string mechanics;
+  std::string coupling;
   std::string rest;
 };
 
+/// Takes the section of that title out of a text.
+std::string take_section(std::string& text, const std::string& title) {
+  const std::size_t begin = text.find("\n## " + title + "\n");
+  const std::size_t end = text.find("\n## ", begin + 1);
+  std::string section = text.substr(begin, end - begin);
+  text.erase(begin, end - begin);
+  return section;
+}
+
 Guide guide() {
   std::ifstream stream("docs/case-file.md", std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  const std::size_t begin = text.find("\n## Mechanics\n");
-  const std::size_t end = text.find("\n## ", begin + 1);
-  return {text.substr(begin, end - begin), text.substr(0, begin) + text.substr(end)};
+  Guide parts;
+  parts.rest.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+  parts.mechanics = take_section(parts.rest, "Mechanics");
+  parts.coupling = take_section(parts.rest, "Coupled cases");
+  return parts;
 }
 
 /// The blocks of that language in a text.
@@ -74,6 +86,21 @@ TEST(Guide, ItsExamplesOfMechanicsMakeAValidCaseTogether) {
   EXPECT_TRUE(setup.body.at("plate").rigid);
   EXPECT_EQ(setup.in_situ->gradient_yy, 26e3);
   EXPECT_EQ(setup.time.end, 0.05);
+  EXPECT_EQ(read(resolved_toml(setup)).setup, setup);
+}
+
+TEST(Guide, ItsCoupledCaseIsValidAloneAndWithItsOtherExamples) {
+  std::string text;
+  for (const std::string& block : blocks_of("toml", guide().coupling)) {
+    text += block;
+    EXPECT_EQ(error_of(text), "");
+  }
+  const simulation::Setup setup = read(text).setup;
+  EXPECT_EQ(setup.model.physics, simulation::Physics::coupled);
+  ASSERT_TRUE(setup.new_cracks);
+  EXPECT_TRUE(setup.boundary.at("well").pressurised);
+  EXPECT_DOUBLE_EQ(setup.source.at("well").rate->value.back(), -4e-3);
+  EXPECT_DOUBLE_EQ(setup.excavation.at("gallery").pressure, 1e5);
   EXPECT_EQ(read(resolved_toml(setup)).setup, setup);
 }
 
