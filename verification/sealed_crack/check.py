@@ -20,7 +20,26 @@ RAMPS, PUMPING = 1e-3, 10e-3  # s: of the rate, up and down; until it falls
 FLUIDS = {"stiff": (2.2e9, 3e-2), "soft": (3.4e6, 3e-4)}
 
 
+SLOW_RATE, SLOW_TIME = 5e-7, 600.0  # m2/s into each wing, s
+
+
+def check_slow(chapter: Chapter, work: Path) -> None:
+    """The volume of the stiff fluid again, pumped in ten minutes by the quasi-static scheme."""
+    run = run_case(HERE / "slow.toml", work / "slow").results
+    expected = CRACK.sealed_pressure(2 * SLOW_RATE * SLOW_TIME, ROOM, 2.2e9)
+    history = run.history
+    shut_in = history["source.pump.pressure_Pa"][history["time_s"] > 700.0]
+    chapter.at_most("slow.pressure", "ten minutes of pumping, quasi-static: relative error of the "
+                    "pressure after the pump stops, largest", np.max(abs(shut_in / expected - 1)),
+                    0.02)
+    chapter.at_most("slow.mass", "ten minutes of pumping: error of the mass balance",
+                    run.summary["mass_balance"]["relative_error"], 1e-12)
+    chapter.at_most("slow.steps", "ten minutes of pumping and ten of rest: steps",
+                    run.summary["steps"], 100)
+
+
 def check(chapter: Chapter, work: Path) -> None:
+    check_slow(chapter, work)
     figure, axes = plt.subplots(figsize=(7, 4.2), layout="constrained")
     for (name, (modulus, rate)), colour in zip(FLUIDS.items(), plt.cm.viridis([0.2, 0.7])):
         pump = {"times": [0, RAMPS, PUMPING, PUMPING + RAMPS], "values": [0, rate, rate, 0]}

@@ -17,7 +17,7 @@ struct QuasiStaticOptions {
   double motion_step = 0.0;          ///< s: of the motion that finds the balance of forces
 };
 
-/// Advances slow flow and a rock always in balance by a fixed-stress split (theory.md section 21):
+/// Advances slow flow and a rock always in balance by a fixed-stress split (theory.md section 25):
 /// implicit flow in which each node has, besides its storage, an estimate of how the rock gives way
 /// under its pressure; then damped motion at these pressures to the balance of forces; and so on
 /// until neither changes any more. Rock that breaks on the way lets fluid in at once.
