@@ -54,4 +54,6 @@ def deflection(start, tip) -> float:
     """Angle (degree) of the line from `start` to `tip` (m) against the x axis; 0 where they are
     one place."""
     along, across = np.subtract(tip, start)
-    return float(np.degrees(np.arctan2(across, along))) if along or across else 0.0
+    if np.hypot(along, across) < SAME_PLACE:
+        return 0.0
+    return float(np.degrees(np.arctan2(across, along)))
