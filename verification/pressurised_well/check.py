@@ -14,6 +14,7 @@ from studies import check_criteria, run_example
 
 TITLE = "Pressurised well: radial cracks that fluid drives"
 WALL = 0.1  # m
+WINDOW = ((-0.7, 0.7), (-0.7, 0.7))
 TIMES = [0.05e-3, 0.15e-3, 0.3e-3, 0.45e-3]  # s
 COUNTED = (1.4e-4, 3.5e-4)  # s: 1000 and 2500 steps of 1.4e-7 s, as in the paper's figures
 VARIANTS = {"total stress": {"model.joint_stress": "total"},
@@ -112,9 +113,9 @@ def check(chapter: Chapter, work: Path) -> None:
                     "clamped less those with unclamped storage",
                     abs(counts["clamped storage"][1] - counts["effective stress"][1]), 0)
     frames = coupled.at_times(shipped, TIMES)
-    chapter.add_figure(coupled.stress_series(frames, (-3, 3)),
+    chapter.add_figure(coupled.stress_series(frames, (-4, 4), WINDOW),
                        "Effective principal stress and cracks (figure 21 of the paper)")
-    chapter.add_figure(coupled.pressure_series(frames, largest=10),
+    chapter.add_figure(coupled.pressure_series(frames, WINDOW, largest=10),
                        "Pressure in pores and cracks (figure 22 of the paper)")
     curves(chapter, runs)
     chapter.add_figure(solid.energy_figure(shipped), "Energies")
