@@ -24,15 +24,33 @@ def broken_lines(frame: Frame) -> np.ndarray:
     return frame.cracks.points[frame.cracks.cells][frame.cracks.cell_data["mode"] >= 0]
 
 
-def branches(lines: np.ndarray, roots: dict[str, list]) -> dict[str, np.ndarray]:
-    """Points (m) that broken lines join to the places `roots` (m, a list for each name). A point
-    that several reach belongs to the one from which the way along the cracks is shortest."""
-    neighbours = defaultdict(list)
-    for first, second in lines:
-        length = float(np.hypot(*(second - first)))
+def _neighbours(lines: np.ndarray, roots: dict[str, list], bridge: float) -> dict:
+    """Of each place the others that a line or a bridge leads to, with the distance (m)."""
+    found = defaultdict(list)
+
+    def join(first, second):
+        length = float(np.hypot(*np.subtract(second, first)))
         a, b = _place(first), _place(second)
-        neighbours[a].append((b, length))
-        neighbours[b].append((a, length))
+        found[a].append((b, length))
+        found[b].append((a, length))
+
+    for first, second in lines:
+        join(first, second)
+    if bridge > 0:
+        points = [*lines.reshape(-1, 2), *(place for places in roots.values() for place in places)]
+        points = np.unique(np.array(points).reshape(-1, 2), axis=0)
+        apart = np.hypot(*np.moveaxis(points[:, None] - points[None, :], 2, 0))
+        for i, j in zip(*np.nonzero(np.triu(apart <= bridge, 1))):
+            join(points[i], points[j])
+    return found
+
+
+def branches(lines: np.ndarray, roots: dict[str, list],
+             bridge: float = 0.0) -> dict[str, np.ndarray]:
+    """Points (m) that broken lines join to the places `roots` (m, a list for each name). A crack
+    may go on beside its tip: ends up to `bridge` (m) apart count as joined. A point that several
+    reach belongs to the one from which the way along the cracks is shortest."""
+    neighbours = _neighbours(lines, roots, bridge)
     queue = [(0.0, name, _place(place)) for name, places in roots.items() for place in places]
     heapq.heapify(queue)
     owner: dict[tuple[int, int], str] = {}

@@ -23,6 +23,12 @@ def test_a_bridge_between_two_cracks_is_shared_by_the_shorter_way():
     assert sorted(map(tuple, reached["high"])) == [(0, 2), (0, 3)]
 
 
+def test_a_crack_may_go_on_beside_its_tip():
+    broken = lines([(0, 0), (1, 0)], [(1.05, 0.05), (2, 0)], [(2.5, 0), (3, 0)])
+    reached = crack_paths.branches(broken, {"crack": [(0, 0)]}, bridge=0.1)["crack"]
+    assert max(reached[:, 0]) == pytest.approx(2)
+
+
 def test_a_crack_that_has_not_grown_has_its_start():
     assert crack_paths.branches(lines().reshape(0, 2, 2), {"crack": [(1, 2)]})["crack"].tolist() == [
         [1, 2]]
