@@ -128,8 +128,8 @@ def curves(chapter: Chapter, runs: dict) -> None:
         style = "--" if name == "clamped storage" else "-"
         row[0].plot(history["time_s"] * 1e3, history["broken_joints"], style, color=colour,
                     label=name)
-        row[1].plot([time * 1e3 for time in run.times], [tip(run.frame(time)) for time in run.times],
-                    style, color=colour)
+        row[1].plot(np.array(run.times) * 1e3, [tip(run.frame(time)) for time in run.times], style,
+                    color=colour)
         row[2].plot(history["time_s"] * 1e3, history["boundary.wall.volume_m2"] * 1e3, style,
                     color=colour)
     for axes, label in zip(row, ("Joints that broke", "Radius of the tips (m)",
