@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Three parallel cracks: the outer ones turn away from the middle one, which goes straight on and
-lags behind (figure 33 of the paper); on two meshes, and with the paper's storage and stress."""
+starts later (figure 33 of the paper); on two meshes, with effective stress, with the paper's
+storage."""
 
 from pathlib import Path
 
@@ -21,7 +22,8 @@ BRIDGE = 0.06  # m, a crack may go on beside its tip, one element away
 TIMES = [1e-3, 3e-3, 5e-3, 7e-3]  # s
 WINDOW = ((0, 1.6), (-1.2, 1.2))
 COARSE = {"mesh.file": str(ROOT / "examples/three_cracks/three_cracks_coarse.msh")}
-PAPER = {"model.joint_stress": "total", "model.crack_storage": "clamped", "time.end": 2e-3}
+PAPER = {"model.crack_storage": "clamped", "time.end": 2e-3}
+EFFECTIVE = {"model.joint_stress": "effective", "time.end": 3e-3}
 
 
 def tips(frame) -> dict[str, np.ndarray]:
@@ -57,17 +59,19 @@ def turns_away(chapter: Chapter, label: str, run, time: float) -> None:
                     abs(angle["middle"]), 20)
     outer = 0.5 * (growth("upper", found["upper"]) + growth("lower", found["lower"]))
     chapter.at_most(f"{name}.lag", f"{when}: growth of the middle crack over the mean of the outer "
-                    "ones", growth("middle", found["middle"]) / outer, 0.9)
+                    "ones", growth("middle", found["middle"]) / outer, 0.7)
 
 
 def check(chapter: Chapter, work: Path) -> None:
     shipped = check_criteria(chapter, "three_cracks", work).results
     coarse = run_example("three_cracks", work, "coarse", COARSE)
     paper = run_example("three_cracks", work, "paper", PAPER)
-    turns_away(chapter, "0.05 m", shipped, 5e-3)
-    turns_away(chapter, "0.07 m", coarse.results, 5e-3)
+    effective = run_example("three_cracks", work, "effective", EFFECTIVE)
+    turns_away(chapter, "0.05 m", shipped, 3e-3)
+    turns_away(chapter, "0.07 m", coarse.results, 3e-3)
+    turns_away(chapter, "effective stress", effective.results, 3e-3)
     turns_away(chapter, "as in the paper", paper.results, 2e-3)
-    for name, result in (("coarse", coarse), ("paper", paper)):
+    for name, result in (("coarse", coarse), ("effective", effective), ("paper", paper)):
         chapter.at_most(f"{name}.balance", f"{name}: error of the mass balance", result.balance,
                         1e-12)
         chapter.at_most(f"{name}.energy", f"{name}: error of the energy balance",
@@ -91,7 +95,7 @@ def check(chapter: Chapter, work: Path) -> None:
     ends = [("0.05 m", shipped.frame(5e-3)), ("0.07 m", coarse.results.frame(5e-3)),
             ("as in the paper, 2 ms", paper.results.frame())]
     chapter.add_figure(coupled.pressure_series(ends, WINDOW, largest=10),
-                       "Meshes after 5 ms; storage and stress as in the paper")
+                       "Meshes after 5 ms; storage as in the paper")
     curves(chapter, {"0.05 m": shipped, "0.07 m": coarse.results,
                      "as in the paper": paper.results})
     chapter.add_figure(solid.energy_figure(shipped), "Energies")
