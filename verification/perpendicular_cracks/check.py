@@ -17,7 +17,7 @@ TITLE = "Perpendicular cracks: one runs into the other"
 EXAMPLE = ROOT / "examples/perpendicular_cracks"
 ROOTS = {"horizontal": [(-0.9, 0.0), (-0.5, 0.0), (-0.1, 0.0)],
          "vertical": [(0.3, -0.4), (0.3, 0.0), (0.3, 0.4)]}
-TIMES = [0.1, 0.3, 0.6, 1.0]  # s
+TIMES = [0.1, 0.3, 0.6, 0.98]  # s
 EARLY = 0.4  # s, end of the variants
 VARIANTS = {"0.09 m": {"mesh.file": str(EXAMPLE / "perpendicular_cracks_fine.msh")},
             "Biot coefficient 1": {"material.rock.biot_coefficient": 1}}
