@@ -124,5 +124,6 @@ def curves(chapter: Chapter, runs: dict) -> None:
         axes.set_xlabel("Time (ms)")
         axes.set_ylabel(label)
         axes.grid(alpha=0.3)
-    row[0].legend(frameon=False, fontsize="x-small")
+    row[0].set_ylim(0, 1.2)
+    row[0].legend(frameon=False, fontsize="x-small", ncols=3)
     chapter.add_figure(figure, "Growth, direction and pressure of the three cracks")
