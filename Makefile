@@ -9,7 +9,7 @@ help:  ## this list
 build:  ## set up the machine and build build/release/bin/percolith
 	@tools/build.sh
 
-demo:  ## build, run the six-fracture example and draw it
+demo:  ## build, run a well whose pressure splits rock, draw and animate it
 	@tools/demo.sh
 
 test:  ## build with warnings as errors; unit, command-line and reference tests, format, fuzzing

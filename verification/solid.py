@@ -115,6 +115,9 @@ def energy_figure(run: RunDirectory):
         if abs(values).max() > 0:
             axes.plot(history["time_s"] * 1e3, values, color=colour, label=name)
     axes.plot(history["time_s"] * 1e3, history["external_work_J_per_m"], "k--", label="work done")
+    if "fluid_work_J_per_m" in history:
+        axes.plot(history["time_s"] * 1e3, history["fluid_work_J_per_m"], "k:",
+                  label="work of the fluid")
     axes.plot(history["time_s"] * 1e3, history["residual_J_per_m"], color="#d55e00", linewidth=1,
               label="missing")
     axes.set_xlabel("Time (ms)")
