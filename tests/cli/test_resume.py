@@ -66,7 +66,7 @@ def interrupted(program, tmp_path):
     return run
 
 
-@pytest.mark.parametrize("name", ["rock", "water"])
+@pytest.mark.parametrize("name", ["rock", "water", "pumped"])
 @pytest.mark.parametrize("trial", range(3))
 def test_a_killed_run_goes_on_to_the_same_results(percolith, whole, interrupted, name, trial):
     expected, seconds = whole(name)
@@ -78,7 +78,7 @@ def test_a_killed_run_goes_on_to_the_same_results(percolith, whole, interrupted,
     assert outputs(folder) == outputs(expected)
 
 
-@pytest.mark.parametrize("name", ["rock", "water"])
+@pytest.mark.parametrize("name", ["rock", "water", "pumped"])
 def test_a_stopped_run_goes_on_to_the_same_results(percolith, whole, interrupted, name):
     expected, _ = whole(name)
     folder = interrupted(name, signal.SIGTERM)

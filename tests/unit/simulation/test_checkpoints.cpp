@@ -293,6 +293,29 @@ TEST(Checkpoints, RockThatFluidBreaksGoesOnToTheSameBits) {
   }
 }
 
+/// Slow injection, which keeps the pressures its iteration found beside the contents.
+TEST(Checkpoints, SlowInjectionGoesOnToTheSameBits) {
+  simulation::Setup setup = test::solid_setup();
+  setup.model.physics = Physics::coupled;
+  setup.time.scheme = Scheme::quasi_static;
+  Material& rock = setup.material["sandstone"];
+  rock.rock.permeability = {1e-18, 1e-18, 0.0};
+  rock.rock.porosity = 0.1;
+  setup.new_cracks = NewCracks{};
+  setup.new_cracks->fracture.exchange = 1e-13;
+  setup.fracture["notch"].groups = {"notch"};
+  setup.fracture["notch"].fracture.exchange = 1e-13;
+  setup.source["pump"].fractures = {"notch"};
+  setup.source["pump"].rate = Schedule::constant(1e-8);
+  setup.boundary["right"] = test::on("right");
+  setup.boundary["right"].fixed = true;
+  setup.time.end = 600.0;
+  setup.output.checkpoint_interval = 1e-6;
+  mesh::GmshMesh mesh = test::make_grid(grid);
+  test::add_row_curve(grid, mesh, "notch", 2, 0, 2);
+  expect_same_from_checkpoints(setup, mesh, 4);
+}
+
 TEST(Checkpoints, ARunThatStopsLeavesOneThatKnowsNothingOfItsLastReports) {
   simulation::Setup setup = test::plain_setup();
   setup.time.scheme = Scheme::implicit;
