@@ -7,7 +7,6 @@ namespace percolith::case_file {
 
 namespace {
 
-using simulation::Physics;
 using simulation::Setup;
 
 bool has_flow(const Setup& setup, const std::string& /*name*/) {
