@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "percolith/core/archive.hpp"
-#include "percolith/coupling/coupled_model.hpp"
+#include "percolith/coupling/scheme.hpp"
 #include "percolith/seepage/explicit_step.hpp"
 #include "percolith/seepage/implicit_flow.hpp"
 
@@ -14,26 +13,18 @@ namespace percolith::coupling {
 /// Advances rock and fluid together (Fig. 11): the pressures act on the rock, the rock moves, what
 /// has failed breaks and lets fluid in, the new room changes the pressures, and the fluid flows.
 /// Motion is explicit, the cracks are implicit, the pores explicit in as many steps as they need.
-class CoupledStep {
+class CoupledStep : public Scheme {
 public:
   /// `pore_limit`: longest stable explicit step of the pores, s.
   CoupledStep(CoupledModel& model, double pore_limit);
 
-  /// One step of `dt` seconds; the caller keeps dt below the limit of the motion. Throws
-  /// SolverError when the flow in the cracks has no solution.
-  mechanics::Changes advance(double dt, Execution& execution);
-
-  /// To be called when conditions have been added since the last step.
-  void network_changed();
-
-  /// What the next step takes over from those before, beside the model; to be read once the model
-  /// is.
-  void describe_state(StateArchive& archive);
-
-  /// Fluid that has leaked out of the cracks into the rock since time zero, m2.
-  [[nodiscard]] double leaked() const { return leaked_.total(); }
-  /// Iterations of the cracks in the last step.
-  [[nodiscard]] int iterations() const { return iterations_; }
+  /// The caller keeps dt below the limit of the motion.
+  mechanics::Changes advance(double dt, Execution& execution) override;
+  void network_changed() override;
+  void describe_state(StateArchive& archive) override;
+  [[nodiscard]] double leaked() const override { return leaked_.total(); }
+  /// Those of the cracks.
+  [[nodiscard]] int iterations() const override { return iterations_; }
 
 private:
   void flow(double dt, Execution& execution);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "percolith/core/archive.hpp"
-#include "percolith/coupling/coupled_model.hpp"
+#include "percolith/coupling/scheme.hpp"
 #include "percolith/seepage/implicit_flow.hpp"
 
 #include <memory>
@@ -21,21 +20,18 @@ struct QuasiStaticOptions {
 /// implicit flow in which each node has, besides its storage, an estimate of how the rock gives way
 /// under its pressure; then damped motion at these pressures to the balance of forces; and so on
 /// until neither changes any more. Rock that breaks on the way lets fluid in at once.
-class QuasiStatic {
+class QuasiStatic : public Scheme {
 public:
   QuasiStatic(CoupledModel& model, const QuasiStaticOptions& options);
 
-  /// One step of `dt` seconds, or as many shorter ones as it takes. Throws SolverError where even
-  /// very short ones find no solution. The time of both halves is that at its end.
-  mechanics::Changes advance(double dt, Execution& execution);
-
-  /// Iterations of the split in the last step, those of all its parts together.
-  [[nodiscard]] int iterations() const { return iterations_; }
-  /// Parts the last step had to be cut in.
-  [[nodiscard]] int parts() const { return parts_; }
-  [[nodiscard]] double leaked() const { return leaked_.total(); }
-  void network_changed();
-  void describe_state(StateArchive& archive);
+  /// One step, or as many shorter ones as it takes.
+  mechanics::Changes advance(double dt, Execution& execution) override;
+  void network_changed() override;
+  void describe_state(StateArchive& archive) override;
+  [[nodiscard]] double leaked() const override { return leaked_.total(); }
+  /// Those of the split, of all parts of the step together.
+  [[nodiscard]] int iterations() const override { return iterations_; }
+  [[nodiscard]] int parts() const override { return parts_; }
 
 private:
   void advance_part(double dt, int halvings, Execution& execution);

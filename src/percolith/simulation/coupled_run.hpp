@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "percolith/coupling/coupled_step.hpp"
-#include "percolith/coupling/step_limit.hpp"
 #include "percolith/seepage/model.hpp"
 #include "percolith/simulation/frames.hpp"
 #include "percolith/simulation/solid_run.hpp"
@@ -31,7 +29,7 @@ struct WaterRun {
 
 /// The rows of both halves in one, with length (m), volume (m2) and mean aperture (m) of the
 /// cracks, the fluid in them and what has leaked out of them into the rock (m2), and the pressure
-/// at each source in a crack (Pa). `leaked` as `CoupledStep` counts it.
+/// at each source in a crack (Pa). `leaked` as `coupling::Scheme` counts it.
 [[nodiscard]] HistoryRow coupled_history_row(SolidRun& rock, const WaterRun& water, double leaked,
                                              double step_size);
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/core/error.hpp"
 #include "percolith/coupling/build.hpp"
+#include "percolith/coupling/coupled_step.hpp"
 #include "percolith/coupling/drainage.hpp"
 #include "percolith/coupling/quasi_static.hpp"
+#include "percolith/coupling/step_limit.hpp"
 #include "percolith/seepage/flow_graph.hpp"
 #include "percolith/seepage/state.hpp"
 #include "percolith/seepage/steady_flow.hpp"
@@ -85,26 +87,19 @@ public:
                                          water_.model,
                                          {setup.model.fluid_enters,
                                           groups_of_joints(setup, water_.model.mesh)}},
-        limit_(model_), scheme_(model_, setup.time.safety * limit_.pores()) {
+        limit_(model_), is_slow_(setup.time.scheme == Scheme::quasi_static) {
     water_.in_place_at_start = seepage::fluid_in_place(water_.model, run_.execution);
     const auto more = model_warnings(setup, water_.model);
     run_.summary.warnings.insert(run_.summary.warnings.end(), more.begin(), more.end());
     warn_of_biot(setup);
-    if (setup.time.scheme == Scheme::quasi_static) {
-      slow_ = std::make_unique<coupling::QuasiStatic>(
+    if (is_slow_) {
+      choose_flow_step(setup.time);
+      scheme_ = std::make_unique<coupling::QuasiStatic>(
           model_,
           coupling::QuasiStaticOptions{setup.time.tolerance, setup.time.balance_tolerance, step_});
-      longest_flow_step_ = setup.time.maximum_step.value_or(setup.time.end / 20.0);
-      flow_step_ =
-          std::min(setup.time.initial_step.value_or(setup.time.end / 100.0), longest_flow_step_);
+    } else {
+      scheme_ = std::make_unique<coupling::CoupledStep>(model_, longest_pore_step());
     }
-  }
-
-  /// For a quasi-static run with equal steps.
-  void fix_step(double step) {
-    flow_step_ = step;
-    longest_flow_step_ = step;
-    is_fixed_ = true;
   }
 
   [[nodiscard]] CheckReport check() const override;
@@ -112,18 +107,19 @@ public:
 
 protected:
   mechanics::Changes advance(double dt) override {
-    if (slow_) {
-      return advance_slowly(dt);
+    mechanics::Changes changes = scheme_->advance(dt, run_.execution);
+    if (is_slow_) {
+      judge_flow_step(dt);
+    } else {
+      limit_now_ = limit_.motion(model_);
     }
-    mechanics::Changes changes = scheme_.advance(dt, run_.execution);
-    limit_now_ = limit_.motion(model_);
     return changes;
   }
   [[nodiscard]] double longest_step() const override {
-    return slow_ ? flow_step_ : std::min(step_, run_.setup.time.safety * limit_now_);
+    return is_slow_ ? flow_step_ : std::min(step_, run_.setup.time.safety * limit_now_);
   }
   [[nodiscard]] const char* limited_by() const override {
-    if (slow_) {
+    if (is_slow_) {
       return is_fixed_ ? "given step" : "iterations";
     }
     return run_.setup.time.safety * limit_now_ < step_ ? "fluid in cracks"
@@ -145,29 +141,28 @@ protected:
   }
   HistoryRow history_row(double step_size) override {
     run_.summary.throughput = water_.model.rate_in;
-    const double leaked = slow_ ? slow_->leaked() : scheme_.leaked();
-    return coupled_history_row(run_, water_, leaked, step_size);
+    return coupled_history_row(run_, water_, scheme_->leaked(), step_size);
   }
   void take_out(const Digging& digging) override;
   void describe_state(StateArchive& archive) override;
   void require_valid() const override;
-  [[nodiscard]] std::int64_t iterations() const override {
-    return slow_ ? slow_->iterations() : scheme_.iterations();
-  }
+  [[nodiscard]] std::int64_t iterations() const override { return scheme_->iterations(); }
 
 private:
-  mechanics::Changes advance_slowly(double dt);
+  [[nodiscard]] double longest_pore_step() const { return run_.setup.time.safety * limit_.pores(); }
+  void choose_flow_step(const Stepping& time);
+  void judge_flow_step(double dt);
   void warn_of_biot(const Setup& setup);
 
   WaterRun water_;
   coupling::CoupledModel model_;
   coupling::StepLimit limit_;
-  coupling::CoupledStep scheme_;
-  double limit_now_ = limit_.motion(model_);     // s
-  std::unique_ptr<coupling::QuasiStatic> slow_;  // of a quasi-static run
-  double flow_step_ = 0.0;                       // s: of it
-  double longest_flow_step_ = 0.0;               // s
-  bool is_fixed_ = false;
+  bool is_slow_;                              // quasi-static
+  double limit_now_ = limit_.motion(model_);  // s
+  std::unique_ptr<coupling::Scheme> scheme_;
+  double flow_step_ = 0.0;          // s: of a quasi-static run
+  double longest_flow_step_ = 0.0;  // s
+  bool is_fixed_ = false;           // whether all its steps are equal
 };
 
 void CoupledTask::warn_of_biot(const Setup& setup) {
@@ -182,28 +177,34 @@ void CoupledTask::warn_of_biot(const Setup& setup) {
   }
 }
 
+void CoupledTask::choose_flow_step(const Stepping& time) {
+  is_fixed_ = time.step.has_value();
+  longest_flow_step_ = time.step.value_or(time.maximum_step.value_or(time.end / 20.0));
+  flow_step_ = is_fixed_
+                   ? longest_flow_step_
+                   : std::min(time.initial_step.value_or(time.end / 100.0), longest_flow_step_);
+}
+
 /// Steps that take many iterations are too long, those that take few too short.
-mechanics::Changes CoupledTask::advance_slowly(double dt) {
+void CoupledTask::judge_flow_step(double dt) {
   constexpr int few = 8;
   constexpr int many = 25;
-  mechanics::Changes changes = slow_->advance(dt, run_.execution);
-  run_.summary.iterations += slow_->iterations();
-  run_.summary.rejected_steps += slow_->parts() - 1;
-  if (!is_fixed_ && (slow_->parts() > 1 || slow_->iterations() > many)) {
+  run_.summary.iterations += scheme_->iterations();
+  run_.summary.rejected_steps += scheme_->parts() - 1;
+  if (is_fixed_) {
+    return;
+  }
+  if (scheme_->parts() > 1 || scheme_->iterations() > many) {
     flow_step_ = std::min(flow_step_, 0.5 * dt);
-  } else if (!is_fixed_ && slow_->iterations() < few) {
+  } else if (scheme_->iterations() < few) {
     flow_step_ = std::min(1.5 * flow_step_, longest_flow_step_);
   }
-  return changes;
 }
 
 void CoupledTask::take_out(const Digging& digging) {
   SolidTask::take_out(digging);
   coupling::drain(model_, digging.triangles, water_.drainage.at(digging.name));
-  scheme_.network_changed();
-  if (slow_) {
-    slow_->network_changed();
-  }
+  scheme_->network_changed();
 }
 
 /// Excavations that are done have changed the conditions of the flow.
@@ -219,11 +220,8 @@ void CoupledTask::describe_state(StateArchive& archive) {
     run_.dynamics.model().pores.pressure = water_.model.state.pressure;
     water_.model.swelling = run_.dynamics.model().pores.growth;
   }
-  archive("scheme", scheme_);
-  if (slow_) {
-    archive("slow", *slow_);
-    archive("flow_step", flow_step_);
-  }
+  archive("scheme", *scheme_);
+  archive("flow_step", flow_step_);
   limit_now_ = limit_.motion(model_);
 }
 
@@ -233,9 +231,9 @@ CheckReport CoupledTask::check() const {
   report.pore_nodes = flow.pore_nodes;
   report.crack_nodes = flow.crack_nodes;
   report.unknowns = flow.crack_nodes;
-  report.mechanics.emplace_back("explicit steps of the pores per step of the motion",
-                                static_cast<std::int64_t>(std::ceil(
-                                    longest_step() / (run_.setup.time.safety * limit_.pores()))));
+  report.mechanics.emplace_back(
+      "explicit steps of the pores per step of the motion",
+      static_cast<std::int64_t>(std::ceil(longest_step() / longest_pore_step())));
   if (limit_now_ < limit_.rock() && !report.limits.empty()) {
     // The stiffness of the fluid adds to all others.
     report.limits.back().step = limit_now_;
@@ -287,12 +285,8 @@ std::unique_ptr<Task> make_coupled_task(const Setup& setup, const mesh::GmshMesh
   SolidStart start = build_solid(motion, mesh, [&](mechanics::Model& rock) {
     coupling::moisten(rock, water.model, biot, setup.model.joint_stress);
   });
-  auto task = std::make_unique<CoupledTask>(motion, make_solid_run(motion, std::move(start)),
-                                            std::move(water));
-  if (setup.time.scheme == Scheme::quasi_static && setup.time.step) {
-    task->fix_step(*setup.time.step);
-  }
-  return task;
+  return std::make_unique<CoupledTask>(setup, make_solid_run(motion, std::move(start)),
+                                       std::move(water));
 }
 
 }  // namespace percolith::simulation

@@ -293,20 +293,21 @@ TEST(Checkpoints, RockThatFluidBreaksGoesOnToTheSameBits) {
   }
 }
 
-/// Slow injection, which keeps the pressures its iteration found beside the contents.
-TEST(Checkpoints, SlowInjectionGoesOnToTheSameBits) {
+/// Slow injection into a notch of a block held on two sides.
+Setup slow_injection(double strength, double rate) {
   simulation::Setup setup = test::solid_setup();
   setup.model.physics = Physics::coupled;
   setup.time.scheme = Scheme::quasi_static;
   Material& rock = setup.material["sandstone"];
   rock.rock.permeability = {1e-18, 1e-18, 0.0};
   rock.rock.porosity = 0.1;
+  rock.strength.tensile_strength = strength;
   setup.new_cracks = NewCracks{};
   setup.new_cracks->fracture.exchange = 1e-13;
   setup.fracture["notch"].groups = {"notch"};
   setup.fracture["notch"].fracture.exchange = 1e-13;
   setup.source["pump"].fractures = {"notch"};
-  setup.source["pump"].rate = Schedule::constant(1e-8);
+  setup.source["pump"].rate = Schedule::constant(rate);
   setup.boundary["right"] = test::on("right");
   setup.boundary["right"].fixed = true;
   setup.time.end = 300.0;
@@ -314,9 +315,32 @@ TEST(Checkpoints, SlowInjectionGoesOnToTheSameBits) {
   setup.time.tolerance = 1e-2;
   setup.time.balance_tolerance = 1e-2;
   setup.output.checkpoint_interval = 1e-3;
+  return setup;
+}
+
+mesh::GmshMesh notched() {
   mesh::GmshMesh mesh = test::make_grid(grid);
   test::add_row_curve(grid, mesh, "notch", 2, 0, 2);
-  expect_same_from_checkpoints(setup, mesh, 1);
+  return mesh;
+}
+
+/// It keeps the pressures its iteration found beside the contents.
+TEST(Checkpoints, SlowInjectionGoesOnToTheSameBits) {
+  expect_same_from_checkpoints(slow_injection(5e6, 1e-8), notched(), 1);
+}
+
+/// Cracks that have opened since the start belong to what it goes on from.
+TEST(Checkpoints, SlowInjectionThatHasBrokenTheRockGoesOnToTheSameBits) {
+  simulation::Setup setup = slow_injection(1e5, 1e-6);
+  setup.material["sandstone"].strength.mode_1_energy = 1.0;
+  setup.boundary["left"] = test::on("left");
+  setup.boundary["left"].roller = true;
+  Keeper whole;
+  static_cast<void>(test::run(setup, notched(), whole));
+  ASSERT_FALSE(whole.events.empty());
+  ASSERT_GT(whole.kept.size(), 0U);
+  ASSERT_GT(whole.kept.front().events, 0U);
+  expect_same_from_checkpoints(setup, notched(), 1);
 }
 
 TEST(Checkpoints, ARunThatStopsLeavesOneThatKnowsNothingOfItsLastReports) {
