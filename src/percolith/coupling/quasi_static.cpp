@@ -123,7 +123,7 @@ bool QuasiStatic::solve(double dt, Execution& execution) {
     flow_->show_pressures(model_->water);
     const double change = largest_change();
     // The first pressures are those of a rock that has not felt this step yet.
-    if (iteration > 0 && !broke_ && change < options_.pressure_tolerance) {
+    if (iteration > 0 && is_at_rest_ && !broke_ && change < options_.pressure_tolerance) {
       return true;
     }
     if (iteration > 1 && !broke_ && change > least_contraction * last_change) {
@@ -175,6 +175,7 @@ void QuasiStatic::relax(Execution& execution) {
   mechanics::Model& rock = model_->rock.model();
   const double time = rock.motion.time;
   broke_ = false;
+  is_at_rest_ = false;
   int calm = 0;
   apply_pressures(*model_);
   for (int step = 1; step <= most_motion_steps; ++step) {
@@ -186,6 +187,7 @@ void QuasiStatic::relax(Execution& execution) {
       calm = model_->rock.unbalanced_ratio() < options_.balance_tolerance ? calm + 1 : 0;
     }
     if (calm == checks_at_rest) {
+      is_at_rest_ = true;
       return;
     }
     if (broke) {

@@ -56,7 +56,9 @@ private:
   int iterations_ = 0;
   int parts_ = 0;
   double softness_ = 1.0;  // factor on the compliance of cracks
-  bool broke_ = false;     // in the last relaxation
+  // Of the last relaxation: whether rock broke in it, and whether it came to its end.
+  bool broke_ = false;
+  bool is_at_rest_ = false;
 };
 
 }  // namespace percolith::coupling
