@@ -5,6 +5,7 @@
 #include "percolith/mechanics/build.hpp"
 #include "percolith/mechanics/joint.hpp"
 #include "percolith/mechanics/pressed_faces.hpp"
+#include "percolith/mechanics/wet_joints.hpp"
 
 #include <algorithm>
 #include <array>
@@ -34,16 +35,6 @@ double biot_of(const mechanics::Model& rock, Index joint) {
                 rock.pores.biot[at(mesh::triangle_of(corner[1][0]))]);
 }
 
-/// Pore pressure at the ends of a joint, Pa: the mean of both sides.
-std::array<double, 2> pore_pressure(const seepage::Model& water, Index joint) {
-  const auto& corner = water.mesh.joint[at(joint)].corner;
-  const auto mean = [&](std::size_t end) {
-    return 0.5 *
-           (water.state.pressure[at(corner[0][end])] + water.state.pressure[at(corner[1][end])]);
-  };
-  return {mean(0), mean(1)};
-}
-
 void add_joint_pores(mechanics::Model& rock, const seepage::Model& water) {
   const std::size_t n = rock.joints.ex.size();
   rock.pores.joint_share.assign(n, 0.0);
@@ -55,20 +46,6 @@ void add_joint_pores(mechanics::Model& rock, const seepage::Model& water) {
     if (rock.joints.state[at(j)] == JointState::bonded && !water.cracks.is_broken(j)) {
       rock.pores.joint_share[at(j)] = biot_of(rock, j);
     }
-  }
-}
-
-void make_room_for_stress(mechanics::Model& rock) {
-  auto& t = rock.triangles;
-  if (!t.initial_xx.empty()) {
-    return;
-  }
-  for (auto* values : {&t.initial_xx, &t.initial_yy, &t.initial_xy}) {
-    values->assign(at(padded(rock.mesh.triangles())), 0.0);
-  }
-  for (std::size_t g = 0; g < 2; ++g) {
-    rock.joints.opening_start[g].assign(rock.joints.ex.size(), 0.0);
-    rock.joints.slip_start[g].assign(rock.joints.ex.size(), 0.0);
   }
 }
 
@@ -95,18 +72,11 @@ void relieve_triangles(mechanics::Model& rock, const seepage::Model& water) {
 
 void relieve_joints(mechanics::Model& rock, const seepage::Model& water) {
   for (Index j = 0; j < rock.mesh.joints(); ++j) {
-    std::array<double, 2> tension{};
-    if (water.cracks.is_broken(j)) {
-      const auto& ends = rock.mesh.joint[at(j)].vertex;
-      tension = tension_of(
-          {water.state.crack_pressure[at(ends[0])], water.state.crack_pressure[at(ends[1])]});
-    } else if (!rock.pores.joint_share.empty()) {
-      const auto p = pore_pressure(water, j);
-      for (std::size_t g = 0; g < 2; ++g) {
-        tension[g] = rock.pores.joint_share[at(j)] *
-                     (mechanics::gauss_weight(g) * p[0] + mechanics::gauss_weight(1 - g) * p[1]);
-      }
-    }
+    const auto& ends = rock.mesh.joint[at(j)].vertex;
+    const std::array<double, 2> tension =
+        water.cracks.is_broken(j) ? tension_of({water.state.crack_pressure[at(ends[0])],
+                                                water.state.crack_pressure[at(ends[1])]})
+                                  : mechanics::push_in_joint(rock, j);
     for (std::size_t g = 0; g < 2; ++g) {
       rock.joints.opening_start[g][at(j)] += tension[g] / rock.joints.full_stiffness[at(j)];
     }
@@ -124,8 +94,7 @@ bool is_pressed(const mechanics::Model& rock, const seepage::Model& water) {
                      [&](Index v) { return water.state.crack_pressure[at(v)] != 0.0; });
 }
 
-void note_pressures(mechanics::Model& rock, const seepage::Model& water) {
-  rock.pores.pressure = water.state.pressure;
+void press_cracks(mechanics::Model& rock, const seepage::Model& water) {
   mechanics::add_pressed(rock, water.cracks.broken_joints());
   Execution serial(Backend::serial);
   mechanics::measure_faces(rock, serial);
@@ -136,12 +105,13 @@ void note_pressures(mechanics::Model& rock, const seepage::Model& water) {
 
 void moisten(mechanics::Model& rock, const seepage::Model& water, std::span<const double> biot,
              JointStress joint_stress) {
+  rock.pores.pressure = water.state.pressure;
   add_biot(rock, water, biot);
   if (joint_stress == JointStress::effective) {
     add_joint_pores(rock, water);
   }
   if (is_pressed(rock, water)) {
-    make_room_for_stress(rock);
+    mechanics::make_room_for_stress(rock);
     relieve_triangles(rock, water);
     relieve_joints(rock, water);
   }
@@ -151,7 +121,7 @@ void moisten(mechanics::Model& rock, const seepage::Model& water, std::span<cons
       rock.pores.opening[g] = rock.joints.opening_start[g];
     }
   }
-  note_pressures(rock, water);
+  press_cracks(rock, water);
 }
 
 }  // namespace percolith::coupling

@@ -1,45 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/coupling/compliance.hpp"
 
-#include <algorithm>
-#include <numeric>
+#include "percolith/core/disjoint_sets.hpp"
+#include "percolith/mechanics/build.hpp"
 
 namespace percolith::coupling {
 namespace {
 
-/// E' of the softer side of a joint, Pa.
-double softer_modulus(const mechanics::Model& rock, Index joint) {
-  const auto modulus = [&](std::size_t side) {
-    const Index t = mesh::triangle_of(rock.mesh.joint[at(joint)].corner[side][0]);
-    return material::plane_modulus(rock.material[at(rock.triangles.material[at(t)])].rock,
-                                   rock.plane);
-  };
-  return std::min(modulus(0), modulus(1));
-}
-
 /// Length of the crack that hangs together at each vertex, m.
 std::vector<double> connected_lengths(const mechanics::Model& rock) {
-  std::vector<Index> parent(rock.mesh.vertex.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](Index v) {
-    while (parent[at(v)] != v) {
-      parent[at(v)] = parent[at(parent[at(v)])];
-      v = parent[at(v)];
-    }
-    return v;
-  };
+  DisjointSets cracks(rock.mesh.vertices());
   for (const mechanics::PressedFaces& faces : rock.pressed) {
     const auto& ends = rock.mesh.joint[at(faces.joint)].vertex;
-    parent[at(root(ends[1]))] = root(ends[0]);
+    cracks.merge(ends[0], ends[1]);
   }
-  std::vector<double> length(parent.size(), 0.0);
+  std::vector<double> length(rock.mesh.vertex.size(), 0.0);
   for (const mechanics::PressedFaces& faces : rock.pressed) {
-    length[at(root(rock.mesh.joint[at(faces.joint)].vertex[0]))] +=
+    length[at(cracks.root(rock.mesh.joint[at(faces.joint)].vertex[0]))] +=
         rock.mesh.joint_length(faces.joint);
   }
-  std::vector<double> of_vertex(parent.size());
-  for (std::size_t v = 0; v < parent.size(); ++v) {
-    of_vertex[v] = length[at(root(static_cast<Index>(v)))];
+  std::vector<double> of_vertex(length.size());
+  for (std::size_t v = 0; v < length.size(); ++v) {
+    of_vertex[v] = length[at(cracks.root(static_cast<Index>(v)))];
   }
   return of_vertex;
 }
@@ -69,9 +51,9 @@ std::vector<double> crack_compliance(const CoupledModel& model) {
     const double half = 0.5 * rock.mesh.joint_length(faces.joint);
     const bool is_closed = faces.compression > 0.0;
     for (const Index v : rock.mesh.joint[at(faces.joint)].vertex) {
-      compliance[at(v)] += is_closed
-                               ? half / rock.joints.full_stiffness[at(faces.joint)]
-                               : half * 3.0 * connected[at(v)] / softer_modulus(rock, faces.joint);
+      compliance[at(v)] +=
+          is_closed ? half / rock.joints.full_stiffness[at(faces.joint)]
+                    : half * 3.0 * connected[at(v)] / mechanics::softer_modulus(rock, faces.joint);
     }
   }
   return compliance;

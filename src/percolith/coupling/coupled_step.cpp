@@ -64,7 +64,7 @@ void CoupledStep::flow_in_cracks(double t, double dt, int halvings, Execution& e
   cracks_->refresh(model_->water);
   if (cracks_->attempt(model_->water, t, dt, execution)) {
     iterations_ += cracks_->iterations();
-    leaked_ += cracks_->inflow_of_pores(dt);
+    leaked_ += cracks_->leaked_from_cracks(dt);
     cracks_->apply(model_->water);
     const auto booked = cracks_->bookings();
     bookings_.insert(bookings_.end(), booked.begin(), booked.end());

@@ -32,14 +32,18 @@ constexpr double softest = 256.0;
 class KeptCrackPressures {
 public:
   explicit KeptCrackPressures(seepage::Model& water)
-      : water_(&water), open_(water.cracks.open_nodes()), pressure_(water.state.crack_pressure),
-        saturation_(water.state.crack_saturation) {}
+      : water_(&water), open_(water.cracks.open_nodes()) {
+    for (const Index v : open_) {
+      pressure_.push_back(water.state.crack_pressure[at(v)]);
+      saturation_.push_back(water.state.crack_saturation[at(v)]);
+    }
+  }
   KeptCrackPressures(const KeptCrackPressures&) = delete;
   KeptCrackPressures& operator=(const KeptCrackPressures&) = delete;
   ~KeptCrackPressures() {
-    for (const Index v : open_) {
-      water_->state.crack_pressure[at(v)] = pressure_[at(v)];
-      water_->state.crack_saturation[at(v)] = saturation_[at(v)];
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      water_->state.crack_pressure[at(open_[i])] = pressure_[i];
+      water_->state.crack_saturation[at(open_[i])] = saturation_[i];
     }
   }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace percolith::coupling {
 namespace {
@@ -54,7 +53,9 @@ double pore_limit(const seepage::Model& water) {
 
 }  // namespace
 
-StepLimit::StepLimit(const CoupledModel& model) : pores_(pore_limit(model.water)) {
+StepLimit::StepLimit(const CoupledModel& model)
+    : pores_(pore_limit(model.water)), pushed_(model.water.mesh.vertex.size()),
+      stiffness_(at(model.water.mesh.corners())) {
   const mechanics::Model& rock = model.rock.model();
   const auto penalty = model.rock.contact_penalty();
   for (Index t = 0; t < rock.mesh.triangles(); ++t) {
@@ -66,33 +67,42 @@ StepLimit::StepLimit(const CoupledModel& model) : pores_(pore_limit(model.water)
   }
 }
 
-double StepLimit::motion(const CoupledModel& model) const {
+double StepLimit::motion(const CoupledModel& model) {
   const mechanics::Model& rock = model.rock.model();
   const seepage::Model& water = model.water;
-  // Half the length of each joint at a crack node pushes on a corner of either side.
-  std::map<Index, double> pushed;  // per crack node: sum over its corners, m
-  for (const mechanics::PressedFaces& faces : rock.pressed) {
-    for (const Index v : rock.mesh.joint[at(faces.joint)].vertex) {
-      pushed[v] += rock.mesh.joint_length(faces.joint);
-    }
-  }
-  std::map<Index, double> stiffness;  // per corner, N/m per m
   for (const mechanics::PressedFaces& faces : rock.pressed) {
     const mesh::Joint& joint = rock.mesh.joint[at(faces.joint)];
     for (std::size_t end = 0; end < 2; ++end) {
-      const Index v = joint.vertex[end];
-      const double k = 0.5 * rock.mesh.joint_length(faces.joint) * pushed[v] *
-                       water.fluid.bulk_modulus / water.crack.void_volume[at(v)];
-      stiffness[joint.corner[0][end]] += k;
-      stiffness[joint.corner[1][end]] += k;
+      pushed_[at(joint.vertex[end])] = 0.0;
+      stiffness_[at(joint.corner[0][end])] = 0.0;
+      stiffness_[at(joint.corner[1][end])] = 0.0;
+    }
+  }
+  // Half the length of each joint at a crack node pushes on a corner of either side.
+  for (const mechanics::PressedFaces& faces : rock.pressed) {
+    for (const Index v : rock.mesh.joint[at(faces.joint)].vertex) {
+      pushed_[at(v)] += rock.mesh.joint_length(faces.joint);
+    }
+  }
+  for (const mechanics::PressedFaces& faces : rock.pressed) {
+    const mesh::Joint& joint = rock.mesh.joint[at(faces.joint)];
+    for (std::size_t end = 0; end < 2; ++end) {
+      const auto v = at(joint.vertex[end]);
+      const double k = 0.5 * rock.mesh.joint_length(faces.joint) * pushed_[v] *
+                       water.fluid.bulk_modulus / water.crack.void_volume[v];
+      stiffness_[at(joint.corner[0][end])] += k;
+      stiffness_[at(joint.corner[1][end])] += k;
     }
   }
   double step = rock_;
-  for (const auto& [corner, k] : stiffness) {
-    const Index t = mesh::triangle_of(corner);
-    const double inverse_mass = rock.triangles.inverse_mass[at(t)];
-    if (inverse_mass > 0.0) {
-      step = std::min(step, mechanics::stable_step(rock, triangle_[at(t)], k * inverse_mass));
+  for (const mechanics::PressedFaces& faces : rock.pressed) {
+    for (const auto& side : rock.mesh.joint[at(faces.joint)].corner) {
+      const Index t = mesh::triangle_of(side[0]);
+      const double most = std::max(stiffness_[at(side[0])], stiffness_[at(side[1])]);
+      const double inverse_mass = rock.triangles.inverse_mass[at(t)];
+      if (inverse_mass > 0.0) {
+        step = std::min(step, mechanics::stable_step(rock, triangle_[at(t)], most * inverse_mass));
+      }
     }
   }
   return step;

@@ -13,15 +13,10 @@ namespace percolith::coupling {
 /// each crack node, which grows as the crack closes.
 class StepLimit {
 public:
-  StepLimit() = default;
   explicit StepLimit(const CoupledModel& model);
 
   /// Longest stable step of the motion with the cracks as they stand, s.
-  [[nodiscard]] double motion(const CoupledModel& model) const;
-  /// Whether the fluid in a crack rules that step.
-  [[nodiscard]] bool ruled_by_crack(const CoupledModel& model) const {
-    return motion(model) < rock_;
-  }
+  [[nodiscard]] double motion(const CoupledModel& model);
   /// Longest stable explicit step of the pores, s, whatever joints may break: storage over the sum
   /// of conductances of each single corner, exchange with cracks at both its edges included.
   [[nodiscard]] double pores() const { return pores_; }
@@ -31,6 +26,9 @@ private:
   std::vector<mechanics::Frequencies> triangle_;
   double rock_ = std::numeric_limits<double>::infinity();
   double pores_ = std::numeric_limits<double>::infinity();
+  // Where cracks are: length of the joints at each vertex, m, and stiffness at each corner, N/m a
+  // m.
+  std::vector<double> pushed_, stiffness_;
 };
 
 }  // namespace percolith::coupling

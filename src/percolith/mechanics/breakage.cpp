@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/mechanics/breakage.hpp"
 
+#include "percolith/core/disjoint_sets.hpp"
 #include "percolith/mechanics/build.hpp"
 #include "percolith/mechanics/joint_points.hpp"
 
@@ -124,15 +125,6 @@ void give_up_closed(Model& model, Changes& changes) {
   });
 }
 
-/// Lowest triangle of the part a triangle belongs to, with the path to it shortened.
-Index root_of(std::vector<Index>& parent, Index t) {
-  while (parent[at(t)] != t) {
-    parent[at(t)] = parent[at(parent[at(t)])];
-    t = parent[at(t)];
-  }
-  return t;
-}
-
 }  // namespace
 
 Changes break_failed_joints(Model& model, const JointTable& table) {
@@ -144,16 +136,11 @@ Changes break_failed_joints(Model& model, const JointTable& table) {
 
 Fragments find_fragments(const Model& model) {
   const Index n = model.mesh.triangles();
-  std::vector<Index> parent(at(n));
-  for (Index t = 0; t < n; ++t) {
-    parent[at(t)] = t;
-  }
+  DisjointSets parts(n);
   for (Index j = 0; j < model.mesh.joints(); ++j) {
     if (model.bonded[at(j)] != 0) {
       const auto& corner = model.mesh.joint[at(j)].corner;
-      const Index a = root_of(parent, mesh::triangle_of(corner[0][0]));
-      const Index b = root_of(parent, mesh::triangle_of(corner[1][0]));
-      parent[at(std::max(a, b))] = std::min(a, b);
+      parts.merge(mesh::triangle_of(corner[0][0]), mesh::triangle_of(corner[1][0]));
     }
   }
   Fragments fragments;
@@ -162,7 +149,7 @@ Fragments find_fragments(const Model& model) {
     if (model.triangles.inverse_mass[at(t)] == 0.0) {
       continue;
     }
-    const Index root = root_of(parent, t);
+    const Index root = parts.root(t);
     if (root == t) {
       fragments.number[at(t)] = static_cast<Index>(fragments.area.size());
       fragments.area.push_back(0.0);

@@ -172,6 +172,15 @@ double element_size(const mesh::Mesh& mesh, Index t) {
   return 2.0 * std::sqrt(mesh.area(t) / std::sqrt(3.0));
 }
 
+double softer_modulus(const Model& model, Index joint) {
+  const auto modulus = [&](std::size_t side) {
+    const Index t = mesh::triangle_of(model.mesh.joint[at(joint)].corner[side][0]);
+    return material::plane_modulus(model.material[at(model.triangles.material[at(t)])].rock,
+                                   model.plane);
+  };
+  return std::min(modulus(0), modulus(1));
+}
+
 Model make_model(mesh::Mesh mesh, Ingredients from) {
   for (SolidMaterial& m : from.material) {
     m.stiffness = material::plane_stiffness(m.rock, from.plane);
@@ -213,6 +222,17 @@ Model make_model(mesh::Mesh mesh, Ingredients from) {
               .energy = {}};
   model.constraints.record.assign(blocks, mesh::none);
   return model;
+}
+
+void make_room_for_stress(Model& model) {
+  auto& t = model.triangles;
+  for (auto* values : {&t.initial_xx, &t.initial_yy, &t.initial_xy}) {
+    values->resize(at(padded(model.mesh.triangles())), 0.0);
+  }
+  for (std::size_t g = 0; g < 2; ++g) {
+    model.joints.opening_start[g].resize(model.joints.ex.size(), 0.0);
+    model.joints.slip_start[g].resize(model.joints.ex.size(), 0.0);
+  }
 }
 
 void start_closed_joints(Model& model) {

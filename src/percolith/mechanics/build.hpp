@@ -26,8 +26,14 @@ struct Ingredients {
 /// Edge of the equilateral triangle with the area of triangle `t`: its element size h, m.
 [[nodiscard]] double element_size(const mesh::Mesh& mesh, Index t);
 
+/// E' of the softer side of a joint, Pa.
+[[nodiscard]] double softer_modulus(const Model& model, Index joint);
+
 /// Builds the rock at rest in its undeformed place, without loads and supports.
 [[nodiscard]] Model make_model(mesh::Mesh mesh, Ingredients ingredients);
+
+/// Makes room for in-situ stress, zero where there was none.
+void make_room_for_stress(Model& model);
 
 /// In-situ stress of the triangles, Pa, given at places of the undeformed rock: triangles take the
 /// value at their centre, joints carry the traction that keeps the start in equilibrium.

@@ -11,11 +11,7 @@ namespace percolith::mechanics {
 template <class Stress>
 void set_initial_stress(Model& model, const Stress& stress_at) {
   const mesh::Mesh& mesh = model.mesh;
-  const auto padded_triangles = at(padded(mesh.triangles()));
-  for (auto* values :
-       {&model.triangles.initial_xx, &model.triangles.initial_yy, &model.triangles.initial_xy}) {
-    values->assign(padded_triangles, 0.0);
-  }
+  make_room_for_stress(model);
   for (Index t = 0; t < mesh.triangles(); ++t) {
     const auto p = mesh.triangle_points(t);
     const Tensor s = stress_at((1.0 / 3.0) * (p[0] + p[1] + p[2]));
@@ -24,10 +20,6 @@ void set_initial_stress(Model& model, const Stress& stress_at) {
     model.triangles.initial_xy[at(t)] = s.xy;
   }
   Joints& joints = model.joints;
-  for (std::size_t g = 0; g < 2; ++g) {
-    joints.opening_start[g].assign(joints.ex.size(), 0.0);
-    joints.slip_start[g].assign(joints.ex.size(), 0.0);
-  }
   for (Index j = 0; j < mesh.joints(); ++j) {
     const double stiffness = joints.full_stiffness[at(j)];
     const Point along = (1.0 / mesh.joint_length(j)) * Point{joints.ex[at(j)], joints.ey[at(j)]};

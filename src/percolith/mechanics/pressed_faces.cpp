@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/mechanics/pressed_faces.hpp"
 
-#include "percolith/mechanics/build.hpp"
-#include "percolith/mechanics/joint.hpp"
+#include "percolith/mechanics/joint_points.hpp"
 
 #include <algorithm>
 
 namespace percolith::mechanics {
 namespace {
-
-JointPlace<double> place_of(const Model& model, Index j, double back) {
-  const mesh::Joint& joint = model.mesh.joint[at(j)];
-  std::array<std::array<Point, 2>, 2> u;
-  for (std::size_t side = 0; side < 2; ++side) {
-    for (std::size_t end = 0; end < 2; ++end) {
-      const auto c = at(joint.corner[side][end]);
-      u[side][end] = {model.motion.ux[c] - back * model.motion.vx[c],
-                      model.motion.uy[c] - back * model.motion.vy[c]};
-    }
-  }
-  return joint_place(Point{model.joints.ex[at(j)], model.joints.ey[at(j)]}, u);
-}
 
 std::array<double, 2> openings_of(const JointPlace<double>& place) {
   return {dot(place.apart[0], place.across), dot(place.apart[1], place.across)};
@@ -45,7 +31,7 @@ struct MeasureFaces {
 
   void operator()(ScalarLane lane) const {
     PressedFaces& faces = model->pressed[at(lane.first)];
-    const JointPlace<double> place = place_of(*model, faces.joint, 0.0);
+    const JointPlace<double> place = joint_openings(*model, faces.joint).place;
     faces.across = place.across;
     faces.opening = openings_of(place);
     faces.compression = compression_of(*model, faces);
@@ -82,7 +68,7 @@ void add_pressed(Model& model, std::span<const Index> joints) {
   for (const Index j : joints) {
     PressedFaces faces{.joint = j};
     // The first pressure acts from half a step ago on.
-    faces.last_opening = openings_of(place_of(model, j, model.motion.last_step));
+    faces.last_opening = openings_of(joint_openings(model, j, model.motion.last_step).place);
     model.pressed.push_back(faces);
   }
   std::sort(model.pressed.begin(), model.pressed.end(),
@@ -121,7 +107,7 @@ void forget_pressed(Model& model, const std::function<bool(Index)>& gone) {
 double work_on_faces_since(const Model& model, double back) {
   double work = 0.0;
   for (const PressedFaces& faces : model.pressed) {
-    const auto opening = openings_of(place_of(model, faces.joint, back));
+    const auto opening = openings_of(joint_openings(model, faces.joint, back).place);
     for (std::size_t end = 0; end < 2; ++end) {
       work += 0.5 * model.mesh.joint_length(faces.joint) * faces.last_pressure[end] *
               (opening[end] - faces.last_opening[end]);

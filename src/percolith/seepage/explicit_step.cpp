@@ -159,9 +159,9 @@ void ExplicitStep::network_changed(const Model& model) {
 }
 
 void ExplicitStep::advance(Model& model, double dt, Execution& execution) {
-  std::vector<Booking> bookings;
-  step(model, model.state.time, dt, execution, bookings);
-  book_step(model, bookings, dt);
+  bookings_.clear();
+  step(model, model.state.time, dt, execution, bookings_);
+  book_step(model, bookings_, dt);
   model.state.time += dt;
 }
 

@@ -52,7 +52,8 @@ private:
   std::vector<double> exchange_flow_;  // per broken joint: into each of its four corners, m2/s
   std::vector<double> crack_flow_;     // per broken joint: from end 0 to end 1, m2/s
   std::vector<CrackFace> faces_;
-  mesh::IndexTable crack_ends_;  // per open crack node: broken joint k, end e as 2 k + e
+  mesh::IndexTable crack_ends_;    // per open crack node: broken joint k, end e as 2 k + e
+  std::vector<Booking> bookings_;  // of the last `advance`
 };
 
 }  // namespace percolith::seepage

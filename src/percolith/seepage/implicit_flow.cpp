@@ -34,10 +34,6 @@ bool ImplicitFlow::attempt(const Model& model, double dt, Execution& execution) 
   return attempt(model, model.state.time, dt, execution);
 }
 
-bool ImplicitFlow::attempt(const Model& model, double t, double dt, Execution& execution) {
-  return attempt(model, t, dt, execution, {});
-}
-
 bool ImplicitFlow::attempt(const Model& model, double t, double dt, Execution& execution,
                            std::span<const double> compliance) {
   prepare(model, t, dt);
@@ -185,14 +181,6 @@ void ImplicitFlow::accept(Model& model) {
   apply(model);
   book_step(model, booked_, dt_);
   model.state.time += dt_;
-}
-
-double ImplicitFlow::inflow_of_pores(double dt) const {
-  double sum = 0.0;
-  for (Index n = 0; n < graph_.nodes(); ++n) {
-    sum += graph_.members.row(n).front() >= 0 ? inflow_[at(n)] : 0.0;
-  }
-  return sum * dt;
 }
 
 double ImplicitFlow::leaked_from_cracks(double dt) const {

@@ -33,12 +33,11 @@ public:
   /// Computes a step of `dt` seconds; false when the iteration over saturations and active set did
   /// not settle, and the step must be tried again with a smaller dt. The model stays as it was.
   [[nodiscard]] bool attempt(const Model& model, double dt, Execution& execution);
-  /// The same for a step that starts at time `t`, s.
-  [[nodiscard]] bool attempt(const Model& model, double t, double dt, Execution& execution);
-  /// The same where the room of each node of the graph grows besides with its pressure beyond the
-  /// present one, by `compliance` (m2/Pa): an iteration towards a room that follows the pressure.
+  /// The same for a step that starts at time `t`, s. Where `compliance` (m2/Pa, per node of the
+  /// graph) is given, the room of each node grows besides with its pressure beyond the present one:
+  /// an iteration towards a room that follows the pressure.
   [[nodiscard]] bool attempt(const Model& model, double t, double dt, Execution& execution,
-                             std::span<const double> compliance);
+                             std::span<const double> compliance = {});
   /// Shows the pressures and saturations of the attempted step in the model, whose contents stay.
   void show_pressures(Model& model) const;
 
@@ -52,9 +51,6 @@ public:
   void accept(Model& model);
   /// The same, but for the accounts and the time of the model.
   void apply(Model& model);
-  /// Fluid that flowed into the pore nodes in the attempted step of `dt` seconds, m2: in a step of
-  /// the cracks alone what leaked out of them.
-  [[nodiscard]] double inflow_of_pores(double dt) const;
   /// Fluid that left the cracks through their faces in the attempted step of `dt` seconds, m2.
   [[nodiscard]] double leaked_from_cracks(double dt) const;
   /// What the conditions let in in the attempted step.

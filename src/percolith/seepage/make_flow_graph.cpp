@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/core/disjoint_sets.hpp"
 #include "percolith/seepage/flow_graph.hpp"
 
 #include <algorithm>
@@ -16,8 +17,7 @@ bool shares_pressure(const Model& model, Index joint) {
 class Groups {
 public:
   explicit Groups(const Model& model)
-      : corners_(model.mesh.corners()), parent_(at(corners_ + model.mesh.vertices())) {
-    std::iota(parent_.begin(), parent_.end(), 0);
+      : corners_(model.mesh.corners()), sets_(corners_ + model.mesh.vertices()) {
     for (const Index j : model.cracks.broken_joints()) {
       if (!shares_pressure(model, j)) {
         continue;
@@ -25,29 +25,18 @@ public:
       const mesh::Joint& joint = model.mesh.joint[at(j)];
       for (std::size_t end = 0; end < 2; ++end) {
         for (std::size_t side = 0; side < 2; ++side) {
-          merge(model.pore_nodes.leader(joint.corner[side][end]), corners_ + joint.vertex[end]);
+          sets_.merge(model.pore_nodes.leader(joint.corner[side][end]),
+                      corners_ + joint.vertex[end]);
         }
       }
     }
   }
-  Index root_of_corner(Index leader) { return root(leader); }
-  Index root_of_vertex(Index vertex) { return root(corners_ + vertex); }
+  Index root_of_corner(Index leader) { return sets_.root(leader); }
+  Index root_of_vertex(Index vertex) { return sets_.root(corners_ + vertex); }
 
 private:
-  Index root(Index i) {
-    while (parent_[at(i)] != i) {
-      parent_[at(i)] = parent_[at(parent_[at(i)])];
-      i = parent_[at(i)];
-    }
-    return i;
-  }
-  void merge(Index a, Index b) {
-    const Index low = std::min(root(a), root(b));
-    const Index high = std::max(root(a), root(b));
-    parent_[at(high)] = low;
-  }
   Index corners_;
-  std::vector<Index> parent_;
+  DisjointSets sets_;
 };
 
 /// Numbers the nodes along the mesh, so that neighbours in space are neighbours in memory.

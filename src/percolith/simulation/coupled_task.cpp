@@ -260,19 +260,7 @@ Summary CoupledTask::summary() const {
 
 void CoupledTask::require_valid() const {
   SolidTask::require_valid();
-  if (const auto place = find_invalid(water_.model)) {
-    throw SolverError(fmt::format(
-        "the {} is not a number at time {:.9g} s (step {}); the results up to the last output are "
-        "kept. Look for extreme or contradictory values near that place, or lower time.safety",
-        *place, time(), run_.summary.steps));
-  }
-  if (const auto place = find_overdrawn(water_.model)) {
-    throw SolverError(fmt::format(
-        "a source or flux takes more fluid than there is from the {} at time {:.9g} s (step {}); "
-        "the results up to the last output are kept. Lower the rate that is taken there, or give a "
-        "pressure in its place",
-        *place, time(), run_.summary.steps));
-  }
+  simulation::require_valid(water_.model, run_.summary.steps, ", or lower time.safety");
 }
 
 }  // namespace

@@ -52,18 +52,22 @@ void report_history(RunState& run, double step_size, Observer& observer) {
 }
 
 void require_valid(const RunState& run) {
-  if (const auto place = find_invalid(run.model)) {
+  require_valid(run.model, run.summary.steps);
+}
+
+void require_valid(const seepage::Model& model, std::int64_t step, std::string_view more) {
+  if (const auto place = find_invalid(model)) {
     throw SolverError(fmt::format(
         "the {} is not a number at time {:.9g} s (step {}); the results up to the last output are "
-        "kept. Look for extreme or contradictory values near that place",
-        *place, run.model.state.time, run.summary.steps));
+        "kept. Look for extreme or contradictory values near that place{}",
+        *place, model.state.time, step, more));
   }
-  if (const auto place = find_overdrawn(run.model)) {
+  if (const auto place = find_overdrawn(model)) {
     throw SolverError(fmt::format(
         "a source or flux takes more fluid than there is from the {} at time {:.9g} s (step {}); "
         "the results up to the last output are kept. Lower the rate that is taken there, or give a "
         "pressure in its place",
-        *place, run.model.state.time, run.summary.steps));
+        *place, model.state.time, step));
   }
 }
 

@@ -8,6 +8,7 @@
 #include "percolith/simulation/setup.hpp"
 
 #include <functional>
+#include <string_view>
 
 namespace percolith::simulation {
 
@@ -67,5 +68,7 @@ void report_history(RunState& run, double step_size, Observer& observer);
 /// Throws SolverError when the state holds a value that is not a number, or a node from which more
 /// fluid was taken than it held.
 void require_valid(const RunState& run);
+/// The same for a model in step `step`; `more` is added to what helps where a value is no number.
+void require_valid(const seepage::Model& model, std::int64_t step, std::string_view more = "");
 
 }  // namespace percolith::simulation

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/core/error.hpp"
+#include "percolith/mechanics/build.hpp"
 #include "percolith/simulation/mesh_report.hpp"
 #include "percolith/simulation/solid_run.hpp"
 
@@ -28,17 +29,6 @@ struct Resolution {
   Index joint = mesh::none;
 };
 
-/// E' of the softer side of a joint, Pa.
-double softer_modulus(const mechanics::Model& model, Index joint) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& side : model.mesh.joint[at(joint)].corner) {
-    const Index t = mesh::triangle_of(side[0]);
-    const auto& rock = model.material[at(model.triangles.material[at(t)])].rock;
-    least = std::min(least, material::plane_modulus(rock, model.plane));
-  }
-  return least;
-}
-
 /// Strengths and energies of weaker joints fall alike, so that their cohesive length grows: the
 /// mean one counts.
 Resolution coarsest(const mechanics::Model& model) {
@@ -51,7 +41,7 @@ Resolution coarsest(const mechanics::Model& model) {
     if (strength.tensile_strength == 0.0) {
       continue;
     }
-    const double length = softer_modulus(model, j) * strength.mode_1_energy /
+    const double length = mechanics::softer_modulus(model, j) * strength.mode_1_energy /
                           (strength.tensile_strength * strength.tensile_strength);
     const double ratio = length / model.joints.size[at(j)];
     if (ratio < worst.ratio) {
@@ -67,7 +57,7 @@ double apparent_share(const mechanics::Model& model) {
   for (Index j = 0; j < model.mesh.joints(); ++j) {
     if (model.joints.state[at(j)] == JointState::bonded) {
       const double penalty = model.joints.full_stiffness[at(j)] * model.joints.size[at(j)];
-      least = std::min(least, 1.0 / (1.0 + 1.73 * softer_modulus(model, j) / penalty));
+      least = std::min(least, 1.0 / (1.0 + 1.73 * mechanics::softer_modulus(model, j) / penalty));
     }
   }
   return least;

@@ -183,31 +183,12 @@ TEST(CoupledStep, MomentumStaysZero) {
   EXPECT_LT(std::hypot(momentum.x, momentum.y), 1e-12 * size);
 }
 
-/// Undrained plane strain under equal compression s: p = s alpha M/(alpha^2 M + lambda + G).
 TEST(CoupledStep, UndrainedRockTakesUpPressure) {
-  CoupledOptions options;
-  options.solid.joints = mechanics::JointState::tied;
-  options.solid.damping.local = 0.7;
-  options.flow.rock.permeability = {1e-22, 1e-22, 0.0};
-  options.flow.rock.biot_modulus = 10e9;
-  options.biot = 0.8;
-  constexpr double pressure = 1e5;
-  options.loads = [](const mechanics::Model& rock) {
-    mechanics::LoadList loads;
-    std::vector<Index> edges;
-    for (std::size_t e = 0; e < rock.mesh.boundary.size(); ++e) {
-      edges.push_back(static_cast<Index>(e));
-    }
-    loads.pressure.push_back({edges, Schedule::constant(pressure)});
-    return loads;
-  };
-  Coupled coupled(test::make_grid(grid), options);
+  Coupled coupled(test::make_grid(grid), test::squeezed());
   coupled.advance(4000);
-  const double g = 10e9 / (2.0 * 1.25);
-  const double lambda = 2.0 * g * 0.25 / 0.5;
-  const double expected = pressure * 0.8 * 10e9 / (0.64 * 10e9 + lambda + g);
   for (const Index node : coupled.water().pore_nodes.nodes(coupled.water().mesh)) {
-    EXPECT_NEAR(coupled.water().state.pressure[at(node)], expected, 1e-3 * expected);
+    EXPECT_NEAR(coupled.water().state.pressure[at(node)], test::squeezed_pressure,
+                1e-3 * test::squeezed_pressure);
   }
 }
 
@@ -240,8 +221,8 @@ TEST(StepLimit, CountsTheFluidInThinCracks) {
   CoupledOptions options = injected();
   options.flow.fracture[0].initial_aperture = 1e-6;
   Coupled coupled(notched(), options);
-  EXPECT_TRUE(coupled.limit().ruled_by_crack(coupled.model()));
   const double limit = coupled.limit().motion(coupled.model());
+  EXPECT_LT(limit, coupled.limit().rock());
   EXPECT_LT(limit, 0.5 * coupled.limit().rock());
   Execution execution;
   for (int i = 0; i < 400; ++i) {

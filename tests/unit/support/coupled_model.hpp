@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "unit/support/flow_model.hpp"
@@ -26,6 +27,29 @@ struct CoupledOptions {
   std::function<mechanics::LoadList(const mechanics::Model&)> loads{};
   std::function<mechanics::SupportSet(mechanics::Model&)> supports{};
 };
+
+/// Tied rock with next to no permeability, pressed from all sides by 0.1 MPa.
+inline CoupledOptions squeezed() {
+  CoupledOptions options;
+  options.solid.joints = JointState::tied;
+  options.solid.damping.local = 0.7;
+  options.flow.rock.permeability = {1e-22, 1e-22, 0.0};
+  options.flow.rock.biot_modulus = 10e9;
+  options.biot = 0.8;
+  options.loads = [](const mechanics::Model& rock) {
+    mechanics::LoadList loads;
+    std::vector<Index> edges(rock.mesh.boundary.size());
+    std::iota(edges.begin(), edges.end(), 0);
+    loads.pressure.push_back({edges, Schedule::constant(1e5)});
+    return loads;
+  };
+  return options;
+}
+
+/// What its pores take up, Pa: undrained plane strain under equal compression s gives
+/// p = s alpha M/(alpha^2 M + lambda + G), with lambda = G for a Poisson's ratio of 0.25.
+inline constexpr double squeezed_pressure =
+    1e5 * 0.8 * 10e9 / (0.8 * 0.8 * 10e9 + 2.0 * 10e9 / (2.0 * 1.25));
 
 /// Both halves and what binds them; stays where it is.
 class Coupled {
@@ -81,7 +105,7 @@ public:
   [[nodiscard]] seepage::Model& water() { return water_; }
   [[nodiscard]] coupling::CoupledModel& model() { return model_; }
   [[nodiscard]] coupling::CoupledStep& step() { return step_; }
-  [[nodiscard]] const coupling::StepLimit& limit() const { return limit_; }
+  [[nodiscard]] coupling::StepLimit& limit() { return limit_; }
 
 private:
   static seepage::Model make_water(const mesh::GmshMesh& file, const CoupledOptions& options) {
