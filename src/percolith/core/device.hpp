@@ -5,5 +5,5 @@
 #if defined(__CUDACC__)
 #define PERCOLITH_DEVICE __host__ __device__ __forceinline__
 #else
-#define PERCOLITH_DEVICE inline
+#define PERCOLITH_DEVICE [[gnu::always_inline]] inline
 #endif

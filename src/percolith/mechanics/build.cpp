@@ -94,6 +94,7 @@ Joints make_joints(const mesh::Mesh& mesh, const Ingredients& from) {
   joints.slot.assign(4 * n, 0);
   joints.ex.assign(n, 1.0);
   joints.ey.assign(n, 0.0);
+  joints.length.assign(n, 1.0);
   joints.stiffness.assign(n, 0.0);
   joints.full_stiffness.assign(n, 0.0);
   joints.size.assign(n, 1.0);
@@ -121,6 +122,7 @@ Joints make_joints(const mesh::Mesh& mesh, const Ingredients& from) {
     const Point edge = mesh.vertex[at(joint.vertex[1])] - mesh.vertex[at(joint.vertex[0])];
     joints.ex[at(j)] = edge.x;
     joints.ey[at(j)] = edge.y;
+    joints.length[at(j)] = square_root(dot(edge, edge));
     joints.strength[at(j)] = from.joint_kind[at(j)];
     joints.state[at(j)] = from.joint_state[at(j)];
     measure_joint(mesh, from, j, joints);

@@ -18,8 +18,9 @@ CornerMotion motion_of(const Model& model) {
 }
 
 EnergyStart start_of(const Model& model, const JointTable& table) {
-  const Execution serial(Backend::serial);
-  EnergyStart start{0.0, elastic_energy(model, serial), stored_in_joints(model, table, serial)};
+  Execution serial(Backend::serial);
+  EnergyStart start{0.0, elastic_energy(model, displacements_before(model, 0.0), serial),
+                    stored_in_joints(model, table, serial)};
   for (Index t = 0; t < model.mesh.triangles(); ++t) {
     const double w = model.triangles.inverse_mass[at(t)];
     for (Index k = 0; w > 0.0 && k < 3; ++k) {
@@ -195,17 +196,13 @@ double Dynamics::unbalanced_ratio() const {
 }
 
 EnergyBalance Dynamics::energy(const Execution& execution) const {
+  Execution loops(execution.backend(), execution.threads());
   const Motion& m = model_.motion;
-  std::vector<double> ux = m.ux;
-  std::vector<double> uy = m.uy;
-  for (std::size_t c = 0; c < ux.size(); ++c) {
-    ux[c] -= 0.5 * m.last_step * m.vx[c];
-    uy[c] -= 0.5 * m.last_step * m.vy[c];
-  }
-  const double pressed = contact_.potential_energy(model_.mesh, {ux, uy, m.vx, m.vy});
+  const Displacements u = displacements_before(model_, 0.5 * m.last_step);
+  const double pressed = contact_.potential_energy(model_.mesh, {u.ux, u.uy, m.vx, m.vy});
   return energy_balance(model_, table_, start_,
                         {pressed + contact_.stored_tangential(), contact_.friction_dissipation()},
-                        execution);
+                        u, loops);
 }
 
 std::vector<std::array<Index, 2>> Dynamics::overlapping() const {

@@ -2,23 +2,32 @@
 #pragma once
 
 #include "percolith/core/execution.hpp"
-#include "percolith/mechanics/joint_forces.hpp"
-#include "percolith/mechanics/model.hpp"
+#include "percolith/mechanics/stored_energy.hpp"
 
 namespace percolith::mechanics {
 
-/// Energy of one triangle strained from its in-situ stress, J/m; `back` as in `triangle_strain`.
-[[nodiscard]] double elastic_energy_of(const Model& model, Index triangle, double back = 0.0);
+/// Energy of one triangle strained from its in-situ stress, J/m, in the present places.
+[[nodiscard]] double elastic_energy_of(const Model& model, Index triangle);
 
-/// Energy of the rock strained from its in-situ stress, J/m: sum of A (E.D.E/2 + S_0.E).
-/// `back` (s): where the corners were so long ago, at their present velocities.
-[[nodiscard]] double elastic_energy(const Model& model, const Execution& execution,
-                                    double back = 0.0);
+/// Energy of the rock strained from its in-situ stress at the displacements `u`, J/m: sum of
+/// A (E.D.E/2 + S_0.E).
+[[nodiscard]] double elastic_energy(const Model& model, const Displacements& u,
+                                    Execution& execution);
+
+/// Of the bonded joints, J/m.
+struct JointEnergy {
+  double stored = 0.0;  ///< given back along their secants; in-situ stress counts from the start
+  double fluid = 0.0;   ///< work of the pore pressure in them since the last step
+};
+
+/// What bonded joints hold at the displacements `u`, with their memory as it stands.
+[[nodiscard]] JointEnergy energy_in_joints(const Model& model, const JointTable& table,
+                                           const Displacements& u, Execution& execution);
 
 /// Energy that bonded joints would give back along their secants and closed ones from their
-/// springs, J/m; in-situ stress counts from the start. `back` as for `elastic_energy`.
+/// springs, J/m, in the present places.
 [[nodiscard]] double stored_in_joints(const Model& model, const JointTable& table,
-                                      const Execution& execution, double back = 0.0);
+                                      Execution& execution);
 
 /// Energy balance from time zero to the middle of the last step, J/m, where the velocities are.
 /// Kinetic energy and the works from outside are those of the discrete motion. What is stored in
@@ -50,9 +59,10 @@ struct ContactEnergy {
   double stored = 0.0, friction = 0.0;
 };
 
-/// The balance of a model that started with `start`; contact counts as it is given.
+/// The balance of a model that started with `start`; contact counts as it is given. `u`: where the
+/// corners were in the middle of the last step.
 [[nodiscard]] EnergyBalance energy_balance(const Model& model, const JointTable& table,
                                            const EnergyStart& start, const ContactEnergy& contact,
-                                           const Execution& execution);
+                                           const Displacements& u, Execution& execution);
 
 }  // namespace percolith::mechanics

@@ -146,7 +146,7 @@ void stop_triangle(Model& model, Index t) {
 FadingSupport remove_triangles(Model& model, const JointTable& table,
                                std::span<const Index> triangles,
                                std::span<const std::uint8_t> removed, double duration) {
-  const Execution serial(Backend::serial);
+  Execution serial(Backend::serial);
   const double stored_before = stored_in_joints(model, table, serial);
   renew_joint_forces(model, table, removed);
   FadingSupport support{model.motion.time, duration, {}};

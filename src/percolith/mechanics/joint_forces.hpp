@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "percolith/mechanics/joint.hpp"
-#include "percolith/mechanics/model.hpp"
+#include "percolith/mechanics/joint_reader.hpp"
 
 namespace percolith::mechanics {
-
-/// Constants of the law per kind of joint, as the kernel reads them.
-using JointTable = std::vector<material::JointConstants<double>>;
-/// One entry for each of `Model::kind`, stiffness 0: that is a property of each joint. A strength
-/// of zero gets a range of softening of next to nothing.
-[[nodiscard]] JointTable joint_table(const Model& model);
 
 /// What adds nothing to the traction of a joint.
 struct NothingInJoints {
@@ -41,29 +34,20 @@ struct JointForces {
     if (block == static_cast<std::uint8_t>(BlockCondition::gone)) {
       return;
     }
-    const Vec2<Real> edge{Lane::load(ex_ + j), Lane::load(ey_ + j)};
-    const JointPlace<Real> place = joint_place(edge, displacements<Lane>(j));
-    const material::JointConstants<Real> c = constants<Lane>(j);
-    std::array<Real, 2> opening;
-    std::array<Real, 2> slip;
+    const JointPlace<Real> place = reader_.place<Lane>(j);
+    const material::JointConstants<Real> c = reader_.constants<Lane>(j);
+    const OpeningAndSlip<Real> now = reader_.opening_and_slip<Lane>(j, place);
     std::array<material::JointTraction<Real>, 2> t;
     auto weak = Real(0.0) > Real(0.0);
     for (std::size_t g = 0; g < 2; ++g) {
-      const Vec2<Real> apart = apart_at(place, g);
-      opening[g] = dot(apart, place.across);
-      slip[g] = dot(apart, place.along);
-      if (starts_) {
-        opening[g] += Lane::load(opening_start_[g] + j);
-        slip[g] += Lane::load(slip_start_[g] + j);
-      }
-      t[g] = material::elastic_traction(c.stiffness, opening[g], slip[g]);
+      t[g] = material::elastic_traction(c.stiffness, now.opening[g], now.slip[g]);
       weak = weak || material::exceeds_strength(c, t[g]);
     }
-    const Real length = square_root(dot(edge, edge));
+    const Real length = reader_.length<Lane>(j);
     if (block != static_cast<std::uint8_t>(BlockCondition::whole) || any(weak)) {
-      soften<Lane>(j, c, length, opening, slip, t, block);
+      soften<Lane>(j, c, length, now, t, block);
     }
-    inside.template add<Lane>(j, length, opening, t);
+    inside.template add<Lane>(j, length, now.opening, t);
     const auto f = joint_forces(place, length, t);
     double* out = force_ + force_slot(j);
     Lane::store(out, f[0].x);
@@ -77,54 +61,9 @@ private:
   static constexpr double gaping_share = 0.1;
 
   template <class Lane>
-  PERCOLITH_DEVICE std::array<std::array<Vec2<typename Lane::Real>, 2>, 2>
-  displacements(Index j) const {
-    std::array<std::array<Vec2<typename Lane::Real>, 2>, 2> u;
-    const Index* corner = slot_ + force_slot(j);
-    for (std::size_t side = 0; side < 2; ++side) {
-      for (std::size_t end = 0; end < 2; ++end) {
-        u[side][end] = {Lane::gather(ux_, corner), Lane::gather(uy_, corner)};
-        corner += block_width;
-      }
-    }
-    return u;
-  }
-
-  template <class Lane>
-  PERCOLITH_DEVICE material::JointConstants<typename Lane::Real> constants(Index j) const {
-    using Real = typename Lane::Real;
-    material::JointConstants<Real> c{};
-    if (uniform_[j / block_width] != 0) {
-      const material::JointConstants<double>& one = table_[strength_[j]];
-      c = {Real(0.0),          Real(one.tensile),       Real(one.cohesion),
-           Real(one.friction), Real(one.opening_range), Real(one.slip_range)};
-    } else {
-      const auto pick = [&](double material::JointConstants<double>::*member) {
-        return Lane::generate([&](Index i) { return table_[strength_[j + i]].*member; });
-      };
-      using Constants = material::JointConstants<double>;
-      c = {Real(0.0),
-           pick(&Constants::tensile),
-           pick(&Constants::cohesion),
-           pick(&Constants::friction),
-           pick(&Constants::opening_range),
-           pick(&Constants::slip_range)};
-    }
-    c.stiffness = Lane::load(stiffness_ + j);
-    if (factor_ != nullptr) {
-      // Weaker joints spend less energy: the opening and slip over which they soften stay the same.
-      const Real f = Lane::load(factor_ + j);
-      c.tensile = c.tensile * f;
-      c.cohesion = c.cohesion * f;
-    }
-    return c;
-  }
-
-  template <class Lane>
   PERCOLITH_DEVICE void soften(Index j, const material::JointConstants<typename Lane::Real>& c,
                                typename Lane::Real length,
-                               const std::array<typename Lane::Real, 2>& opening,
-                               const std::array<typename Lane::Real, 2>& slip,
+                               const OpeningAndSlip<typename Lane::Real>& place,
                                std::array<material::JointTraction<typename Lane::Real>, 2>& t,
                                std::uint8_t& block) const {
     using Real = typename Lane::Real;
@@ -138,9 +77,11 @@ private:
           Lane::load(opening_peak_[g] + j),  Lane::load(slip_peak_[g] + j),
           Lane::load(damage_[g] + j),        Lane::load(past_slope_[g] + j),
           Lane::load(past_friction_[g] + j), Lane::load(past_slip_[g] + j)};
+      const Real opening = place.opening[g];
+      const Real slip = place.slip[g];
       const Real damage_before = memory.damage;
-      t[g] = material::softening_traction(c, opening[g], slip[g], memory);
-      const auto now = material::moment_of(c, opening[g], slip[g], t[g], memory);
+      t[g] = material::softening_traction(c, opening, slip, memory);
+      const auto now = material::moment_of(c, opening, slip, t[g], memory);
       const material::JointLoss<Real> lost =
           material::joint_loss(c, exchange_moment<Lane>(j, g, damage_before, now), now);
       spent += select(bonded, lost.bond, Real(0.0));
@@ -149,7 +90,7 @@ private:
       Lane::store(slip_peak_[g] + j, memory.slip_peak);
       Lane::store(damage_[g] + j, memory.damage);
       least = smaller(least, memory.damage);
-      gap = larger(gap, select(memory.damage >= Real(1.0), opening[g], Real(0.0)));
+      gap = larger(gap, select(memory.damage >= Real(1.0), opening, Real(0.0)));
     }
     // Faces that gape hang on one point like on a hinge, and the law is not made for what turns.
     const auto gapes = gap > Real(gaping_share) * length;
@@ -190,18 +131,7 @@ private:
     return before;
   }
 
-  const double* ux_;
-  const double* uy_;
-  const Index* slot_;
-  const double* ex_;
-  const double* ey_;
-  const double* stiffness_;
-  const Index* strength_;
-  const std::uint8_t* uniform_;
-  const material::JointConstants<double>* table_;
-  const double* factor_;
-  bool starts_;
-  std::array<const double*, 2> opening_start_, slip_start_;
+  JointReader reader_;
   std::array<double*, 2> opening_peak_, slip_peak_, damage_;
   std::array<double*, 2> past_opening_, past_slip_, past_normal_, past_shear_, past_slope_,
       past_friction_;

@@ -63,6 +63,7 @@ struct JointPast {
 struct Joints {
   std::vector<Index> slot;        ///< 32 a block: corners side 0 end 0, 0 1, 1 0, 1 1, eight each
   std::vector<double> ex, ey;     ///< undeformed edge from end 0 to end 1, m
+  std::vector<double> length;     ///< of that edge, m
   std::vector<double> stiffness;  ///< k = p_f/h, Pa/m
   std::vector<double> full_stiffness;  ///< the same were it bonded, Pa/m
   std::vector<double> size;            ///< h, m: mean `element_size` of both triangles

@@ -85,20 +85,15 @@ struct Move {
     const Index first = mesh::corner_of(t, 0);
     const CornerVectors<Real> u = load_corners<Lane>(ux, uy, first);
     const CornerVectors<Real> v = load_corners<Lane>(vx, vy, first);
-    ForcesByOrigin<Real> f = forces<Lane>(t, first, u, v);
+    const ForcesByOrigin<Real> f = forces<Lane>(t, first, u, v);
     const Real w = Lane::load(inverse_mass + t);
-    CornerVectors<Real> moved;
-    CornerVectors<Real> fast;
-    for (std::size_t k = 0; k < 3; ++k) {
-      Vec2<Real> total = (f.stress[k] + f.joint[k]) + (f.contact[k] + f.load[k]);
-      if (solid.is_wet()) {
-        total = total + f.fluid[k];
-      }
-      total.y += f.gravity;
-      fast[k] =
-          move_corner(lane, first + static_cast<Index>(k) * block_width, total, v[k], w, sums);
-      moved[k] = u[k] + Real(law.dt) * fast[k];
-    }
+    const CornerVectors<Real> fast{
+        faster(lane, 0, f, v[0], w, sums),
+        faster(lane, 1, f, v[1], w, sums),
+        faster(lane, 2, f, v[2], w, sums),
+    };
+    const CornerVectors<Real> moved{u[0] + Real(law.dt) * fast[0], u[1] + Real(law.dt) * fast[1],
+                                    u[2] + Real(law.dt) * fast[2]};
     store_corners<Lane>(fast, vx, vy, first);
     store_corners<Lane>(moved, ux, uy, first);
     keep_growth<Lane>(t, moved);
@@ -109,13 +104,15 @@ struct Move {
   PERCOLITH_DEVICE ForcesByOrigin<typename Lane::Real>
   forces(Index t, Index first, const CornerVectors<typename Lane::Real>& u,
          const CornerVectors<typename Lane::Real>& v) const {
-    ForcesByOrigin<typename Lane::Real> f = outside_forces<Lane>(t, first);
-    f.stress = solid.of_stress<Lane>(t, u, v, f.viscous);
-    f.joint = solid.of_joints<Lane>(first);
-    if (solid.is_wet()) {
-      f.fluid = solid.of_pores<Lane>(t, u);
-    }
-    return f;
+    CornerVectors<typename Lane::Real> viscous{};
+    const auto stress = solid.of_stress<Lane>(t, u, v, viscous);
+    return {stress,
+            viscous,
+            solid.of_joints<Lane>(first),
+            of_contact<Lane>(t, first),
+            of_loads<Lane>(t, first),
+            of_pores<Lane>(t, u),
+            of_gravity<Lane>(t)};
   }
 
   /// Keeps by how much the pores have grown at the displacements `moved`.
@@ -127,19 +124,34 @@ struct Move {
     }
   }
 
-  /// Contact, loads and gravity alone.
   template <class Lane>
-  PERCOLITH_DEVICE ForcesByOrigin<typename Lane::Real> outside_forces(Index t, Index first) const {
-    using Real = typename Lane::Real;
-    ForcesByOrigin<Real> f{};
+  PERCOLITH_DEVICE CornerVectors<typename Lane::Real> of_contact(Index t, Index first) const {
     if (contact_acts != nullptr && contact_acts[t / block_width] != 0) {
-      f.contact = load_corners<Lane>(contact_x, contact_y, first);
+      return load_corners<Lane>(contact_x, contact_y, first);
     }
+    return {};
+  }
+
+  template <class Lane>
+  PERCOLITH_DEVICE CornerVectors<typename Lane::Real> of_loads(Index t, Index first) const {
     if (load_acts[t / block_width] != 0) {
-      f.load = load_corners<Lane>(load_x, load_y, first);
+      return load_corners<Lane>(load_x, load_y, first);
     }
-    f.gravity = weight != nullptr ? -Lane::load(weight + t) : Real(0.0);
-    return f;
+    return {};
+  }
+
+  template <class Lane>
+  PERCOLITH_DEVICE CornerVectors<typename Lane::Real>
+  of_pores(Index t, const CornerVectors<typename Lane::Real>& u) const {
+    if (solid.is_wet()) {
+      return solid.of_pores<Lane>(t, u);
+    }
+    return {};
+  }
+
+  template <class Lane>
+  PERCOLITH_DEVICE typename Lane::Real of_gravity(Index t) const {
+    return weight != nullptr ? -Lane::load(weight + t) : typename Lane::Real(0.0);
   }
 
   /// Adds energies and works of a triangle that went from velocities `v` to `fast`.
@@ -180,6 +192,20 @@ struct Move {
     const Real fastest =
         larger(larger(dot(fast[0], fast[0]), dot(fast[1], fast[1])), dot(fast[2], fast[2]));
     sums.raise(lane, fastest);
+  }
+
+  /// New velocity of corner `k`, a node of its own, under all forces.
+  template <class Lane>
+  PERCOLITH_DEVICE Vec2<typename Lane::Real>
+  faster(Lane lane, std::size_t k, const ForcesByOrigin<typename Lane::Real>& f,
+         const Vec2<typename Lane::Real>& v, typename Lane::Real w, LaneSums<terms>& sums) const {
+    Vec2<typename Lane::Real> total = (f.stress[k] + f.joint[k]) + (f.contact[k] + f.load[k]);
+    if (solid.is_wet()) {
+      total = total + f.fluid[k];
+    }
+    total.y += f.gravity;
+    const Index slot = mesh::corner_of(lane.first, static_cast<Index>(k));
+    return move_corner(lane, slot, total, v, w, sums);
   }
 
   /// New velocity of the corners in `slot` of inverse mass `w` under the forces `total`; books

@@ -67,16 +67,18 @@ struct FinishMotion {
     const Index t = lane.first;
     const Index first = mesh::corner_of(t, 0);
     const NodeBuffers& b = *buffers;
-    ForcesByOrigin<Real> f = move.outside_forces<Lane>(t, first);
-    f.stress = load_corners<Lane>(b.stress_x.data(), b.stress_y.data(), first);
-    f.viscous = load_corners<Lane>(b.viscous_x.data(), b.viscous_y.data(), first);
-    f.joint = load_corners<Lane>(b.joint_x.data(), b.joint_y.data(), first);
     const CornerVectors<Real> v = load_corners<Lane>(move.vx, move.vy, first);
     const CornerVectors<Real> fast = load_corners<Lane>(b.new_vx.data(), b.new_vy.data(), first);
     CornerVectors<Real> u = load_corners<Lane>(move.ux, move.uy, first);
-    if (move.solid.is_wet()) {
-      f.fluid = move.solid.of_pores<Lane>(t, u);
-    }
+    const ForcesByOrigin<Real> f{
+        load_corners<Lane>(b.stress_x.data(), b.stress_y.data(), first),
+        load_corners<Lane>(b.viscous_x.data(), b.viscous_y.data(), first),
+        load_corners<Lane>(b.joint_x.data(), b.joint_y.data(), first),
+        move.of_contact<Lane>(t, first),
+        move.of_loads<Lane>(t, first),
+        move.of_pores<Lane>(t, u),
+        move.of_gravity<Lane>(t),
+    };
     for (std::size_t k = 0; k < 3; ++k) {
       u[k] = u[k] + Real(move.law.dt) * fast[k];
     }

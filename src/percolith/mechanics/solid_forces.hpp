@@ -14,12 +14,11 @@ using CornerVectors = std::array<Vec2<Real>, 3>;
 template <class Lane>
 PERCOLITH_DEVICE CornerVectors<typename Lane::Real> load_corners(const double* x, const double* y,
                                                                  Index first) {
-  CornerVectors<typename Lane::Real> v;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Index slot = first + static_cast<Index>(k) * block_width;
-    v[k] = {Lane::load(x + slot), Lane::load(y + slot)};
-  }
-  return v;
+  const auto corner = [&](Index k) {
+    const Index slot = first + k * block_width;
+    return Vec2<typename Lane::Real>{Lane::load(x + slot), Lane::load(y + slot)};
+  };
+  return {corner(0), corner(1), corner(2)};
 }
 
 template <class Lane>
@@ -47,10 +46,7 @@ struct SolidForces {
             const CornerVectors<typename Lane::Real>& v,
             CornerVectors<typename Lane::Real>& viscous) const {
     using Real = typename Lane::Real;
-    // Padding has edges too, so that its area is not zero.
-    const TriangleShape<Real> shape =
-        triangle_shape(Vec2<Real>{Lane::load(ax_ + t), Lane::load(ay_ + t)},
-                       Vec2<Real>{Lane::load(bx_ + t), Lane::load(by_ + t)});
+    const TriangleShape<Real> shape = shape_of<Lane>(t);
     const Gradient<Real> h = gradient_of(shape, u[1] - u[0], u[2] - u[0]);
     SymmetricTensor2<Real> stress = material::stress_of(stiffness<Lane>(t), green_strain(h));
     if (initial_xx_ != nullptr) {
@@ -69,6 +65,25 @@ struct SolidForces {
       stress.xy += drag.xy;
     }
     return corner_forces(shape, h, stress);
+  }
+
+  /// Energy of the triangles strained from their in-situ stress, J/m: A (E.D.E/2 + S_0.E).
+  template <class Lane>
+  [[nodiscard]] PERCOLITH_DEVICE typename Lane::Real
+  strain_energy(Index t, const CornerVectors<typename Lane::Real>& u) const {
+    using Real = typename Lane::Real;
+    const TriangleShape<Real> shape = shape_of<Lane>(t);
+    const SymmetricTensor2<Real> e = green_strain(gradient_of(shape, u[1] - u[0], u[2] - u[0]));
+    const SymmetricTensor2<Real> s = material::stress_of(stiffness<Lane>(t), e);
+    const auto work = [&](const Real& xx, const Real& yy, const Real& xy) {
+      return xx * e.xx + yy * e.yy + Real(2.0) * xy * e.xy;
+    };
+    Real density = Real(0.5) * work(s.xx, s.yy, s.xy);
+    if (initial_xx_ != nullptr) {
+      density += work(Lane::load(initial_xx_ + t), Lane::load(initial_yy_ + t),
+                      Lane::load(initial_xy_ + t));
+    }
+    return Real(0.5) / shape.inverse_double_area * density;
   }
 
   /// Forces of the pore pressure, alpha times the mean of the three corners, (38) to (40).
@@ -100,19 +115,24 @@ struct SolidForces {
   template <class Lane>
   PERCOLITH_DEVICE CornerVectors<typename Lane::Real> of_joints(Index first) const {
     using Real = typename Lane::Real;
-    std::array<Vec2<Real>, 3> start;
-    std::array<Vec2<Real>, 3> end;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index* code = edge_joint_ + first + static_cast<Index>(k) * block_width;
-      start[k] = {Lane::gather_signed(force_, code, 0, other_end),
-                  Lane::gather_signed(force_ + block_width, code, 0, other_end)};
-      end[k] = {Lane::gather_signed(force_, code, other_end, other_end),
-                Lane::gather_signed(force_ + block_width, code, other_end, other_end)};
-    }
-    return {start[0] + end[2], start[1] + end[0], start[2] + end[1]};
+    const auto at_end = [&](Index edge, Index flip) {
+      const Index* code = edge_joint_ + first + edge * block_width;
+      return Vec2<Real>{Lane::gather_signed(force_, code, flip, other_end),
+                        Lane::gather_signed(force_ + block_width, code, flip, other_end)};
+    };
+    return {at_end(0, 0) + at_end(2, other_end), at_end(1, 0) + at_end(0, other_end),
+            at_end(2, 0) + at_end(1, other_end)};
   }
 
 private:
+  /// Padding has edges too, so that its area is not zero.
+  template <class Lane>
+  PERCOLITH_DEVICE TriangleShape<typename Lane::Real> shape_of(Index t) const {
+    using Real = typename Lane::Real;
+    return triangle_shape(Vec2<Real>{Lane::load(ax_ + t), Lane::load(ay_ + t)},
+                          Vec2<Real>{Lane::load(bx_ + t), Lane::load(by_ + t)});
+  }
+
   template <class Lane>
   PERCOLITH_DEVICE material::PlaneStiffness<typename Lane::Real> stiffness(Index t) const {
     using Real = typename Lane::Real;

@@ -28,24 +28,6 @@ std::array<double, 2> push_in_joint(const Model& model, Index joint) {
           alpha * (gauss_weight(1) * at_end[0] + gauss_weight(0) * at_end[1])};
 }
 
-double work_in_joints_since(const Model& model, const Execution& execution, double back) {
-  if (model.pores.joint_share.empty()) {
-    return 0.0;
-  }
-  return execution.sum(model.mesh.joints(), [&](Index j) {
-    const auto i = at(j);
-    if (model.pores.push[0][i] == 0.0 && model.pores.push[1][i] == 0.0) {
-      return 0.0;
-    }
-    const JointPoints points = joint_openings(model, j, back);
-    double work = 0.0;
-    for (std::size_t g = 0; g < 2; ++g) {
-      work += model.pores.push[g][i] * (points.opening[g] - model.pores.opening[g][i]);
-    }
-    return 0.5 * model.mesh.joint_length(j) * work;
-  });
-}
-
 void leave_pores(Model& model, Index joint) {
   if (model.pores.joint_share.empty()) {
     return;

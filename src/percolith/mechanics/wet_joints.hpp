@@ -75,11 +75,6 @@ private:
 /// points, Pa; 0 in other joints.
 [[nodiscard]] std::array<double, 2> push_in_joint(const Model& model, Index joint);
 
-/// Work of the pore pressure in bonded joints from the last step to the places of `back` (s), as
-/// `joint_points` takes it, J/m.
-[[nodiscard]] double work_in_joints_since(const Model& model, const Execution& execution,
-                                          double back);
-
 /// Takes the pore pressure out of a joint and books the work of its last force: from now on its
 /// faces are pressed by a crack, or part.
 void leave_pores(Model& model, Index joint);

@@ -124,10 +124,11 @@ ExplicitStep::ExplicitStep(const Model& model, Fields fields)
 
 void ExplicitStep::network_changed(const Model& model) {
   const auto& broken = model.cracks.broken_joints();
-  if (!across_.conductance.empty()) {
-    for (const Index j : broken) {
-      close_joint(model, j, across_);
-    }
+  if (across_.conductance.empty()) {
+    blocks_ = node_blocks(model);
+  }
+  for (std::size_t k = 0; k < broken.size() && !across_.conductance.empty(); ++k) {
+    close_joint(model, broken[k], across_);
   }
   if (fields_ == Fields::pores) {
     return;
@@ -172,7 +173,8 @@ void ExplicitStep::step(Model& model, double t, double dt, Execution& execution,
   State& s = model.state;
   execution.for_each("pore flow", model.mesh.triangles(),
                      PoreFlow{s.pressure.data(), s.saturation.data(), model.pore.conductance.data(),
-                              model.pore.lift.data(), inflow_.data(), model.weight, weighted});
+                              model.gravity != 0.0 ? model.pore.lift.data() : nullptr,
+                              inflow_.data(), model.weight, weighted});
   if (!across_.conductance.empty()) {
     execution.for_each("joint flow", model.mesh.triangles(),
                        JointFlow{s.pressure.data(), s.saturation.data(), across_.conductance.data(),
@@ -208,13 +210,13 @@ void ExplicitStep::advance_pores(Model& model, double dt, Execution& execution) 
                            inflow_.data(),
                            s.growth.data(),
                            model.swelling.empty() ? nullptr : model.swelling.data(),
-                           model.mesh.corners(),
                            model.reference_pressure(),
                            model.can_empty(),
                            dt};
   if (across_.conductance.empty()) {
-    execution.for_each("pore contents", model.mesh.vertices(),
-                       NodeContents{views, &model.mesh, &model.pore_nodes});
+    execution.for_each("pore contents", blocks_.nodes(), BlockContents(views, blocks_));
+    execution.for_each("pore contents", static_cast<Index>(blocks_.single.size()),
+                       NodeContents{views, &model.mesh, &model.pore_nodes, blocks_.single.data()});
   } else {
     execution.for_each("pore contents", model.mesh.triangles(), CornerContents{views});
   }

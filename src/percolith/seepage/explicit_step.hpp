@@ -5,6 +5,7 @@
 #include "percolith/seepage/account.hpp"
 #include "percolith/seepage/joint_flow.hpp"
 #include "percolith/seepage/model.hpp"
+#include "percolith/seepage/node_blocks.hpp"
 
 #include <array>
 #include <vector>
@@ -49,6 +50,7 @@ private:
 
   std::vector<double> inflow_;         // per corner, m2/s
   JointsAcross across_;                // of finite joints; empty when all are tied
+  NodeBlocks blocks_;                  // of tied ones; empty where joints are finite
   std::vector<double> exchange_flow_;  // per broken joint: into each of its four corners, m2/s
   std::vector<double> crack_flow_;     // per broken joint: from end 0 to end 1, m2/s
   std::vector<CrackFace> faces_;

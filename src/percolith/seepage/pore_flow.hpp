@@ -27,7 +27,7 @@ struct PoreFlow {
   const double* pressure;
   const double* saturation;
   const double* conductance;
-  const double* lift;
+  const double* lift;  ///< rho_w g y; null without gravity
   double* inflow;
   SaturationWeight how;
   bool weighted;
@@ -36,22 +36,21 @@ struct PoreFlow {
   PERCOLITH_DEVICE void operator()(Lane lane) const {
     using Real = typename Lane::Real;
     const auto first = mesh::corner_of(lane.first, 0);
-    std::array<Real, 3> potential;
+    std::array<Real, 3> p;
     std::array<Real, 3> c;
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto slot = first + static_cast<mesh::Index>(k) * block_width;
-      c[k] = Lane::load(conductance + slot);
-      // Two differences instead of one sum: a large pressure keeps its digits.
-      potential[k] = Lane::load(pressure + slot);
+      c[k] = Lane::load(conductance + slot(first, k));
+      p[k] = Lane::load(pressure + slot(first, k));
     }
-    const std::array<Real, 3> height{Lane::load(lift + first),
-                                     Lane::load(lift + first + block_width),
-                                     Lane::load(lift + first + 2 * block_width)};
     const std::array<Real, 3> weight = weights<Lane>(first);
     std::array<Real, 3> flow;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
-      const Real difference = (potential[next] - potential[k]) + (height[next] - height[k]);
+      Real difference = p[next] - p[k];
+      if (lift != nullptr) {
+        // Two differences instead of one sum: a large pressure keeps its digits.
+        difference += Lane::load(lift + slot(first, next)) - Lane::load(lift + slot(first, k));
+      }
       flow[k] = weighted ? pair_flow(c[k], difference, weight[k], weight[next]) : c[k] * difference;
     }
     Lane::store(inflow + first, flow[0] - flow[2]);
@@ -60,6 +59,10 @@ struct PoreFlow {
   }
 
 private:
+  PERCOLITH_DEVICE static mesh::Index slot(mesh::Index first, std::size_t k) {
+    return first + static_cast<mesh::Index>(k) * block_width;
+  }
+
   template <class Lane>
   PERCOLITH_DEVICE std::array<typename Lane::Real, 3> weights(mesh::Index first) const {
     using Real = typename Lane::Real;

@@ -203,7 +203,8 @@ TEST(Joints, StoredEnergyIsHalfTractionTimesOpening) {
   const Point across = across_of(model);
   move_side_one(model, [&](Point) { return 3e-6 * across; });
   const double expected = 0.5 * model.joints.stiffness[0] * 9e-12 * model.mesh.joint_length(0);
-  EXPECT_NEAR(stored_in_joints(model, joint_table(model), Execution()), expected, 1e-5 * expected);
+  Execution execution;
+  EXPECT_NEAR(stored_in_joints(model, joint_table(model), execution), expected, 1e-5 * expected);
 }
 
 TEST(Joints, InSituStressIsInTheTractionFromTheStart) {
