@@ -12,7 +12,8 @@ if TYPE_CHECKING:
 
 STYLE = """body{font-family:sans-serif;max-width:76rem;margin:2rem auto;padding:0 1rem;color:#222}
 table{border-collapse:collapse;margin:1rem 0}td,th{border:1px solid #ccc;padding:.25rem .6rem;
-text-align:left}td.number{text-align:right;font-family:monospace}.pass{background:#e3f3e3}
+text-align:left}td.number{text-align:right;font-family:monospace;white-space:nowrap}
+.pass{background:#e3f3e3}
 .fail{background:#f8d7d7}figure{margin:1.5rem 0}img{max-width:100%}figcaption{color:#444}
 pre{background:#f8d7d7;padding:.6rem;white-space:pre-wrap}
 .idle{background:#eee}.links a,.mark{display:inline-block;padding:.15rem .45rem;margin:.1rem}
@@ -20,7 +21,6 @@ pre{background:#f8d7d7;padding:.6rem;white-space:pre-wrap}
 .paper{border-top:1px solid #ccc;margin-top:1.5rem}
 .beside{display:grid;grid-template-columns:minmax(0,13fr) minmax(0,9fr);gap:0 1.5rem}
 .beside figure{margin:.5rem 0}.beside table{font-size:.8rem}.beside td{padding:.15rem .35rem}
-.beside td.number{white-space:nowrap}
 .differs{border-left:4px solid #d55e00;padding-left:.6rem}
 @media(max-width:56rem){.beside{grid-template-columns:minmax(0,1fr)}}"""
 

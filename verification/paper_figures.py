@@ -47,7 +47,7 @@ FIGURES = (
         ("size",), ("size.*",), reference=_OVER_N),
     PaperFigure(
         17, "the strip in three shapes of triangles", "strip", ("shape_meshes",),
-        set_up="Our meshes of 0.1 m: irregular, right-angled, and squares with both diagonals."),
+        set_up="Our meshes of 0.1 m: irregular, right-angled and crossed triangles."),
     PaperFigure(
         18, "pressure at 0.02 s for three shapes of triangles, n = 100", "strip",
         ("shapes",), ("shape.*",),
@@ -164,8 +164,8 @@ FIGURES = (
                 "0.52 MPa, a quarter of the strength, as radial flow says (rows printed.*). With a "
                 "hundredth of permeability and exchange all of it comes about, but joint by joint: "
                 "each that breaks is empty and takes the pressure off all, which then builds up "
-                "anew, and towards 1 s to more than the strength, because the sides are held. The "
-                "vertical crack does not reach the side by then."),
+                "anew, and towards 1 s to more than the strength, because the sides are held. By "
+                "then the ends have come to 0.2 to 0.4 m from the sides, and not through them."),
     PaperFigure(
         36, "two cracks across each other: the pore pressure", "perpendicular_cracks",
         ("fluid", "printed"), ("seeps", "near_cracks", "printed.*"),
