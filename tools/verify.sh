@@ -11,7 +11,7 @@ PERCOLITH="$PWD/build/release/bin/percolith" PYTHONPATH="$PWD/python" MPLBACKEND
   .venv/bin/python verification/run.py "$@"
 if [[ $# -eq 0 ]]; then
   say "opening the page in a browser"
-  chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1200,16000 \
+  chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1200,28000 \
     --screenshot="$PWD/build/verify/page.png" "file://$PWD/build/verify/index.html" \
     2>build/verify/browser.log
   [[ $(stat -c %s build/verify/page.png) -gt 100000 ]] ||

@@ -16,12 +16,19 @@ def _place(point) -> tuple[int, int]:
     return int(round(point[0] / SAME_PLACE)), int(round(point[1] / SAME_PLACE))
 
 
+def is_broken(frame: Frame) -> np.ndarray:
+    """Which lines of the cracks are broken joints; all where rock does not move."""
+    if "mode" not in frame.cracks.cell_data:
+        return np.ones(len(frame.cracks.cells), dtype=bool)
+    return frame.cracks.cell_data["mode"] >= 0
+
+
 def broken_lines(frame: Frame) -> np.ndarray:
     """Ends (m) of the joints that are broken, undeformed, one pair a joint; those broken from the
     start are among them."""
     if frame.cracks is None or not len(frame.cracks.cells):
         return np.empty((0, 2, 2))
-    return frame.cracks.points[frame.cracks.cells][frame.cracks.cell_data["mode"] >= 0]
+    return frame.cracks.points[frame.cracks.cells][is_broken(frame)]
 
 
 def _neighbours(lines: np.ndarray, roots: dict[str, list], bridge: float) -> dict:

@@ -35,7 +35,7 @@ def check_example(chapter: Chapter, name: str, work: Path) -> Result:
     """Runs an example as shipped, adds a row a criterion and its field as a picture."""
     result = check_criteria(chapter, name, work)
     for path in draw(result.results, output=work / "field.png"):
-        chapter.add_picture(path, "The field as `percolith plot` draws it")
+        chapter.add_picture(path, "The field as `percolith plot` draws it", "field")
     return result
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two cracks across each other: one runs into the other, which turns away from it (figures 35 to 37
-of the paper); as printed, where all fluid leaks off; by Biot coefficient and by mesh."""
+"""Two cracks across each other: one runs into the other, which turns away from it; as printed,
+where all fluid leaks off; by Biot coefficient and by mesh."""
 
 from pathlib import Path
 
@@ -11,6 +11,7 @@ import solid
 from crack_paths import branches, broken_lines
 from program import ROOT, run_case
 from report import Chapter
+from set_ups import mesh_figure
 from studies import check_criteria, run_example
 
 TITLE = "Perpendicular cracks: one runs into the other"
@@ -19,6 +20,8 @@ ROOTS = {"horizontal": [(-0.9, 0.0), (-0.5, 0.0), (-0.1, 0.0)],
          "vertical": [(0.3, -0.4), (0.3, 0.0), (0.3, 0.4)]}
 TIMES = [0.1, 0.3, 0.6, 0.98]  # s
 EARLY = 0.4  # s, end of the variants
+NOTES = [(0, 1.85, "all sides fixed, no pressure"), (-0.5, 0.12, "0.01 m²/s"),
+         (0.7, 0.0, "0.01 m²/s")]
 VARIANTS = {"0.09 m": {"mesh.file": str(EXAMPLE / "perpendicular_cracks_fine.msh")},
             "Biot coefficient 1": {"material.rock.biot_coefficient": 1}}
 PERMEABILITY, VISCOSITY, RATE = 1e-11, 1e-3, 0.02  # m2, Pa s, m2/s: as printed, both sources
@@ -63,6 +66,26 @@ def behaviour(chapter: Chapter, run) -> None:
                          found[f"{label}_right"] - 0.3, 0.1)
 
 
+def seeps(chapter: Chapter, run) -> None:
+    """The pore pressure rises, beside the cracks."""
+    pressures = [mean_pressure(run.frame(time)) for time in TIMES]
+    chapter.at_least("seeps", "mean pore pressure, least rise from one picture to the next over "
+                     "that in the first", np.diff(pressures).min() / pressures[0], 0.1)
+    frame = run.frame(TIMES[-1])
+    pressure = solid.pore_pressure(frame)
+    most = solid.centres(frame)[pressure > np.percentile(pressure, 95)]
+    middles = broken_lines(frame).mean(axis=1)
+    apart = np.hypot(*np.moveaxis(most[:, None] - middles[None], 2, 0)).min(axis=1)
+    chapter.at_most("near_cracks", f"{frame.time:.2f} s: median way to a crack from the twentieth "
+                    "of the triangles with most pore pressure, m", np.median(apart), 0.15)
+
+
+def mean_pressure(frame) -> float:
+    """Of all pores, Pa."""
+    weight = solid.areas(frame)
+    return float(weight @ solid.pore_pressure(frame) / weight.sum())
+
+
 def as_printed(chapter: Chapter, work: Path):
     """Pressure that drives the injected fluid out: of a circle of 0.4 m, about half of what both
     cracks span, in one of 2.2 m, about the block."""
@@ -94,14 +117,24 @@ def check(chapter: Chapter, work: Path) -> None:
         chapter.at_most(f"{label}.energy", f"{name}: error of the energy balance",
                         result.energy_error, 5e-3)
     compare_meshes(chapter, shipped.frame(EARLY), runs["0.09 m"].frame())
+    seeps(chapter, shipped)
     frames = coupled.at_times(shipped, TIMES, 1, "s")
-    chapter.add_figure(coupled.pressure_series(frames), "Pressure in pores and cracks (figures 35 "
-                       "and 36 of the paper)")
+    chapter.add_figure(coupled.crack_pressure_series(frames, largest=4), "Pressure in the cracks; "
+                       "2 MPa is the tensile strength", "cracks")
+    chapter.add_figure(coupled.pressure_series(frames), "Pressure in pores and cracks; cracks have "
+                       "a white edge", "fluid")
     chapter.add_figure(coupled.stress_series(frames, (-2, 2)),
                        "Effective principal stress and cracks")
-    ends = [(name, run.frame(EARLY)) for name, run in runs.items()]
-    chapter.add_figure(coupled.pressure_series([*ends, ("as printed", printed.frame())]),
-                       "After 0.4 s: meshes (figure 37 of the paper), Biot coefficient, as printed")
+    ends = {name: (f"{name}, {EARLY:g} s", run.frame(EARLY)) for name, run in runs.items()}
+    chapter.add_figure(coupled.pressure_series([ends["0.15 m"], ends["0.09 m"]]),
+                       "Two meshes after 0.4 s: pressure in pores and cracks", "meshes")
+    chapter.add_figure(coupled.pressure_series([ends["Biot coefficient 1"]]),
+                       "Biot coefficient 1 after 0.4 s: pressure in pores and cracks")
+    last = printed.frame()
+    chapter.add_figure(coupled.pressure_series([(f"as printed, {last.time:.2g} s", last)]),
+                       "As printed, where nothing breaks: pressure in pores and cracks", "printed")
+    chapter.add_figure(mesh_figure([("", shipped.frame(0.0))], NOTES),
+                       "The mesh and the two cracks", "mesh")
     curves(chapter, {**runs, "as printed": printed})
     chapter.add_figure(solid.energy_figure(shipped), "Energies")
 
@@ -128,4 +161,5 @@ def curves(chapter: Chapter, runs: dict) -> None:
         axes.set_ylabel(label)
         axes.grid(alpha=0.3)
         axes.legend(frameon=False, fontsize="small")
-    chapter.add_figure(figure, "Pressure where the horizontal crack is fed; length of cracks")
+    chapter.add_figure(figure, "Pressure where the horizontal crack is fed; length of cracks",
+                       "injection")

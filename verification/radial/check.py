@@ -6,6 +6,7 @@ from pathlib import Path
 import formulas
 import numpy as np
 from report import Chapter
+from set_ups import mesh_figure
 from studies import check_example, compare_figure, observed_order, run_example
 
 TITLE = "Radial: steady flow from a well"
@@ -47,13 +48,16 @@ def check(chapter: Chapter, work: Path) -> None:
         rows = result.results.probe("radius").at_time()
         curves.append((label, rows["x_m"], rows["pressure_Pa"], formulas.radial(rows["x_m"])))
     chapter.add_figure(compare_figure(curves, "r (m)", "Pressure (MPa)", 1e6),
-                       "Pressure along the radius; circles: analytic")
+                       "Pressure along the radius; circles: analytic", "pressure")
     radius, gradient, exact = gradient_curve(tied)
     chapter.at_most("gradient", "mean gradient in rings of 0.03 m: largest error over the "
                     "gradient there", abs(gradient / exact - 1).max(), 0.02)
     chapter.add_figure(compare_figure([("tied", radius, gradient, exact)], "r (m)",
                                       "Pressure gradient (MPa/m)", 1e6),
-                       "Pressure gradient, mean over rings; circles: analytic")
+                       "Pressure gradient, mean over rings; circles: analytic", "gradient")
+    notes = [(0, 0, "10 MPa"), (0.71, 0.78, "1 MPa")]
+    chapter.add_figure(mesh_figure([("", tied.results.frame())], notes, width=6.0),
+                       "The mesh and the pressures at its boundaries", "mesh")
     order(chapter, work)
 
 

@@ -7,6 +7,7 @@ import criteria
 import numpy as np
 from percolith.run_directory import read_table
 from report import Chapter
+from set_ups import mesh_figure
 from studies import check_example, compare_figure, expected_profiles, run_example
 
 TITLE = "Single fracture: exchange with the rock"
@@ -49,7 +50,10 @@ def check(chapter: Chapter, work: Path) -> None:
             chapter.at_least(f"jump.{time}", f"left above right face at {label}, MPa",
                              (left_face - right_face) / 1e6, 0.15)
     chapter.add_figure(compare_figure(curves, "x (m)", "Pressure (MPa)", 1e6, marks=60),
-                       "Pressure along the rock at four times; circles: analytic")
+                       "Pressure along the rock at four times; circles: analytic", "profiles")
+    notes = [(15, 5, "8 MPa in the fracture")]
+    chapter.add_figure(mesh_figure([("", result.results.frame())], notes, width=10.0),
+                       "The mesh; all sides are sealed", "mesh")
     finite(chapter, work)
 
 

@@ -9,6 +9,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from percolith.run_directory import read_table
 from report import Chapter
+from set_ups import mesh_figure
 from studies import check_example, compare_figure, observed_order, run_example
 
 TITLE = "Strip: transient flow, finite and tied joints"
@@ -77,14 +78,16 @@ def study(chapter: Chapter, work: Path, name: str, title: str, label_of: str,
     axes.set_ylabel("Relative error")
     axes.grid(alpha=0.3, which="both")
     axes.legend(fontsize="small", frameon=False)
-    chapter.add_figure(figure, f"Relative error over the joint factor n: {title}")
+    chapter.add_figure(figure, f"Relative error over the joint factor n: {title}", name)
 
 
 def shapes(chapter: Chapter, work: Path) -> None:
-    curves = []
+    curves, meshes = [], []
     for shape in ("irregular", "right", "crossed"):
         result = run_at(work, f"shape_{shape}", 100, mesh=f"strip_{shape}.msh")
-        grid = result.results.frame().matrix
+        frame = result.results.frame()
+        meshes.append((f"{shape}: ", frame))
+        grid = frame.matrix
         exact = formulas.strip(grid.points[:, 0], 0.02)
         error = abs(grid.point_data["pressure_Pa"] - exact).max() / 1e5
         chapter.at_most(f"shape.{shape}", f"{shape} triangles of 0.1 m, n = 100: largest error at "
@@ -93,15 +96,18 @@ def shapes(chapter: Chapter, work: Path) -> None:
         curves.append((f"{shape} triangles", grid.points[order, 0],
                        grid.point_data["pressure_Pa"][order], exact[order]))
     chapter.add_figure(compare_figure(curves, "x (m)", "Pressure (kPa)", 1e3, style="."),
-                       "Three element shapes at 0.02 s, all nodes; circles: analytic")
+                       "Three element shapes at 0.02 s, all nodes; circles: analytic", "shapes")
+    chapter.add_figure(mesh_figure(meshes), "The three shapes of triangles, 0.1 m", "shape_meshes")
 
 
 def tied(chapter: Chapter, work: Path) -> None:
     """The error in time, of first order, is removed by extrapolation from two steps."""
-    sizes, errors = [0.05, 0.03, 0.01], []
+    sizes, errors, meshes = [0.05, 0.03, 0.01], [], []
     for size in sizes:
         mesh = f"strip_{str(size)[2:]}.msh"
-        x, coarse = centre_line(run_at(work, f"tied_{size}_1000", None, mesh=mesh))
+        first = run_at(work, f"tied_{size}_1000", None, mesh=mesh)
+        meshes.append((f"{size} m: ", first.results.frame()))
+        x, coarse = centre_line(first)
         _, fine = centre_line(run_at(work, f"tied_{size}_2000", None, mesh=mesh, steps=2000))
         errors.append(relative_error(x, 2 * fine - coarse))
     chapter.at_most("tied.level", "tied nodes, 0.05 m: relative error at 0.02 s", errors[0], 1e-3)
@@ -115,6 +121,7 @@ def tied(chapter: Chapter, work: Path) -> None:
     axes.grid(alpha=0.3, which="both")
     axes.legend(frameon=False)
     chapter.add_figure(figure, "Relative error at 0.02 s over the element size, tied nodes")
+    chapter.add_figure(mesh_figure(meshes), "The three element sizes", "meshes")
 
 
 def check(chapter: Chapter, work: Path) -> None:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Three parallel cracks: the outer ones turn away from the middle one, which goes straight on and
-starts later (figure 33 of the paper); on two meshes, with effective stress, with the paper's
+starts later; on two meshes, with effective stress, with the paper's
 storage."""
 
 from pathlib import Path
@@ -12,6 +12,7 @@ import solid
 from crack_paths import branches, broken_lines, deflection
 from program import ROOT
 from report import Chapter
+from set_ups import mesh_figure
 from studies import check_criteria, run_example
 
 TITLE = "Three parallel cracks: deflection and delay by each other"
@@ -20,6 +21,9 @@ MOUTHS = {"upper": APART, "middle": 0.0, "lower": -APART}  # m
 ROOTS = {name: [(0.0, y), (LENGTH, y)] for name, y in MOUTHS.items()}
 BRIDGE = 0.06  # m, a crack may go on beside its tip, one element away
 TIMES = [1e-3, 3e-3, 5e-3, 7e-3]  # s
+PAPER_TIMES = [0.4e-3, 0.8e-3, 1.2e-3, 2e-3]  # s
+NOTES = [(2, 1.85, "fixed, no pressure"), (0.55, -1.3, "on rollers, sealed"),
+         (1.1, 0.0, "0.01 m²/s into each mouth")]
 WINDOW = ((0, 1.6), (-1.2, 1.2))
 COARSE = {"mesh.file": str(ROOT / "examples/three_cracks/three_cracks_coarse.msh")}
 PAPER = {"model.crack_storage": "clamped", "time.end": 2e-3}
@@ -89,13 +93,21 @@ def check(chapter: Chapter, work: Path) -> None:
                     work_done / injected_energy(shipped), 1.0)
     frames = coupled.at_times(shipped, TIMES)
     chapter.add_figure(coupled.pressure_series(frames, WINDOW),
-                       "Pressure in pores and cracks (figure 33 of the paper)")
+                       "Pressure in pores and cracks; cracks have a white edge, and are dark "
+                       "inside where they are dry; the mouths are above the scale", "fluid")
+    chapter.add_figure(coupled.pressure_series(coupled.at_times(paper.results, PAPER_TIMES),
+                                               WINDOW),
+                       "The same with the paper's storage, which does more work than is put in",
+                       "paper_storage")
     chapter.add_figure(coupled.stress_series(frames, (-2, 2), WINDOW),
                        "Effective principal stress and cracks")
     ends = [("0.05 m", shipped.frame(5e-3)), ("0.07 m", coarse.results.frame(5e-3)),
             ("as in the paper, 2 ms", paper.results.frame())]
     chapter.add_figure(coupled.pressure_series(ends, WINDOW, largest=10),
                        "Meshes after 5 ms; storage as in the paper")
+    chapter.add_figure(mesh_figure([("", shipped.frame(0.0))], NOTES),
+                       "The mesh and the three cracks; the other sides are as the upper one",
+                       "mesh")
     curves(chapter, {"0.05 m": shipped, "0.07 m": coarse.results,
                      "as in the paper": paper.results})
     chapter.add_figure(solid.energy_figure(shipped), "Energies")
@@ -126,4 +138,4 @@ def curves(chapter: Chapter, runs: dict) -> None:
         axes.grid(alpha=0.3)
     row[0].set_ylim(0, 1.2)
     row[0].legend(frameon=False, fontsize="x-small", ncols=3)
-    chapter.add_figure(figure, "Growth, direction and pressure of the three cracks")
+    chapter.add_figure(figure, "Growth, direction and pressure of the three cracks", "growth")
