@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "unit/support/solid_setup.hpp"
 
 namespace percolith::simulation {
@@ -252,12 +254,22 @@ TEST(Checkpoints, ExplicitFlowGoesOnToTheSameBits) {
   expect_same_from_checkpoints(setup, test::make_grid(grid), 10);
 }
 
+struct Way {
+  FluidEnters fluid_enters;
+  PoreFlow pore_flow;
+  double exchange;
+};
+
 /// Water that breaks the rock, some of which is taken out on the way.
 TEST(Checkpoints, RockThatFluidBreaksGoesOnToTheSameBits) {
-  for (const FluidEnters enters : {FluidEnters::broken, FluidEnters::softening}) {
+  for (const Way& way :
+       {Way{FluidEnters::broken, PoreFlow::explicit_, 1e-9},
+        Way{FluidEnters::softening, PoreFlow::explicit_, 1e-9},
+        Way{FluidEnters::broken, PoreFlow::implicit, std::numeric_limits<double>::infinity()}}) {
     simulation::Setup setup = test::solid_setup();
     setup.model.physics = Physics::coupled;
-    setup.model.fluid_enters = enters;
+    setup.model.fluid_enters = way.fluid_enters;
+    setup.time.pore_flow = way.pore_flow;
     for (const char* const name : {"sandstone", "middle"}) {
       Material& rock = setup.material[name];
       rock = setup.material["sandstone"];
@@ -268,9 +280,9 @@ TEST(Checkpoints, RockThatFluidBreaksGoesOnToTheSameBits) {
     }
     setup.material["middle"].regions = {"middle"};
     setup.new_cracks = NewCracks{};
-    setup.new_cracks->fracture.exchange = 1e-9;
+    setup.new_cracks->fracture.exchange = way.exchange;
     setup.fracture["notch"].groups = {"notch"};
-    setup.fracture["notch"].fracture.exchange = 1e-9;
+    setup.fracture["notch"].fracture.exchange = way.exchange;
     setup.source["pump"].fractures = {"notch"};
     setup.source["pump"].rate = Schedule::constant(0.2);
     setup.boundary["left"] = test::on("left");
