@@ -85,7 +85,7 @@ constexpr std::array<std::string_view, 45> of_motion{{
     "time.mass_scaling_step",
 }};
 
-constexpr std::array<std::string_view, 9> of_coupling{{
+constexpr std::array<std::string_view, 10> of_coupling{{
     "model.joint_stress",
     "model.fluid_enters",
     "model.crack_storage",
@@ -95,6 +95,7 @@ constexpr std::array<std::string_view, 9> of_coupling{{
     "excavation.*.pressure",
     "fracture.*.closure_stress",
     "time.balance_tolerance",
+    "time.pore_flow",
 }};
 
 bool has_flow(const Setup& setup, const std::string& /*name*/) {

@@ -44,6 +44,13 @@ void describe(V& option, simulation::Stepping& m) {
                   "Unbalanced force over internal forces that a quasi_static step may leave."});
   option(m.safety, Quantity{"safety", "1", positive_fraction, Need::optional,
                             "Share of the stability limit that is used. Needs explicit."});
+  using simulation::PoreFlow;
+  option(m.pore_flow,
+         Choice<PoreFlow>{"pore_flow",
+                          {{PoreFlow::explicit_, "explicit"}, {PoreFlow::implicit, "implicit"}},
+                          "How fluid flows through the pores in each step of an explicit coupled "
+                          "run: explicit in as many steps as the pores need, or implicit together "
+                          "with the cracks, in one. Cracks are always implicit."});
   option(m.stop_ratio, Quantity{"stop_ratio", "1", Bounds{0.0, 1.0, false, false}, Need::optional,
                                 "Unbalanced force over internal forces below which the rock is at "
                                 "rest and the run ends.",

@@ -48,11 +48,15 @@ void check_hydraulics(Rules& rules, const std::string& path, const material::Fra
                "greater than maximum_aperture",
                fmt::format("at most {} m", fracture.maximum_aperture));
   }
-  const bool is_explicit = rules.setup().time.scheme == simulation::Scheme::explicit_;
+  const simulation::Stepping& time = rules.setup().time;
+  const bool is_explicit = time.scheme == simulation::Scheme::explicit_ &&
+                           time.pore_flow == simulation::PoreFlow::explicit_;
   if (is_explicit && fracture.exchange == infinite) {
-    rules.fail(path + ".exchange", {"time.scheme"},
-               "the explicit scheme cannot give fracture and rock one pressure",
-               rules.has_motion() ? "a finite exchange"
+    rules.fail(path + ".exchange", {"time.scheme", "time.pore_flow"},
+               rules.has_motion()
+                   ? "explicit flow in the pores cannot give fracture and rock one pressure"
+                   : "the explicit scheme cannot give fracture and rock one pressure",
+               rules.has_motion() ? "a finite exchange, or time.pore_flow = \"implicit\""
                                   : "a finite exchange, or time.scheme = \"implicit\"");
   }
 }

@@ -13,9 +13,18 @@
 
 namespace percolith::coupling {
 
-CoupledStep::CoupledStep(CoupledModel& model, double pore_limit)
-    : model_(&model), pore_limit_(pore_limit), pores_(model.water, seepage::Fields::pores),
-      cracks_(std::make_unique<seepage::ImplicitFlow>(model.water, seepage::Network::cracks)) {}
+CoupledStep::CoupledStep(CoupledModel& model, PoreFlow pore_flow, double pore_limit)
+    : model_(&model), pore_limit_(pore_limit) {
+  if (pore_flow == PoreFlow::explicit_) {
+    pores_.emplace(model.water, seepage::Fields::pores);
+  }
+  implicit_ = make_implicit();
+}
+
+std::unique_ptr<seepage::ImplicitFlow> CoupledStep::make_implicit() const {
+  return std::make_unique<seepage::ImplicitFlow>(model_->water, pores_ ? seepage::Network::cracks
+                                                                       : seepage::Network::all);
+}
 
 mechanics::Changes CoupledStep::advance(double dt, Execution& execution) {
   apply_pressures(*model_);
@@ -31,15 +40,17 @@ mechanics::Changes CoupledStep::advance(double dt, Execution& execution) {
 }
 
 void CoupledStep::network_changed() {
-  pores_.network_changed(model_->water);
-  cracks_ = std::make_unique<seepage::ImplicitFlow>(model_->water, seepage::Network::cracks);
+  if (pores_) {
+    pores_->network_changed(model_->water);
+  }
+  implicit_ = make_implicit();
 }
 
 void CoupledStep::describe_state(StateArchive& archive) {
   if (archive.reads()) {
     network_changed();
   }
-  archive("cracks", *cracks_);
+  archive("implicit", *implicit_);
   archive("leaked", leaked_);
   archive("iterations", iterations_);
 }
@@ -50,42 +61,48 @@ void CoupledStep::flow(double dt, Execution& execution) {
   bookings_.clear();
   iterations_ = 0;
   const auto start = std::chrono::steady_clock::now();
-  if (!water.cracks.broken_joints().empty()) {
-    flow_in_cracks(t, dt, 0, execution);
+  if (pores_) {
+    if (!water.cracks.broken_joints().empty()) {
+      flow_implicitly(t, dt, 0, execution);
+    }
+    execution.book("crack flow", start);
+    flow_in_pores(t, dt, execution);
+  } else {
+    seepage::take_growth(water);
+    flow_implicitly(t, dt, 0, execution);
+    execution.book("implicit flow", start);
   }
-  execution.book("crack flow", start);
-  flow_in_pores(t, dt, execution);
   seepage::book_step(water, bookings_, dt);
   water.state.time = t + dt;
 }
 
-void CoupledStep::flow_in_cracks(double t, double dt, int halvings, Execution& execution) {
+void CoupledStep::flow_implicitly(double t, double dt, int halvings, Execution& execution) {
   constexpr int most_halvings = 12;
-  cracks_->refresh(model_->water);
-  if (cracks_->attempt(model_->water, t, dt, execution)) {
-    iterations_ += cracks_->iterations();
-    leaked_ += cracks_->leaked_from_cracks(dt);
-    cracks_->apply(model_->water);
-    const auto booked = cracks_->bookings();
+  implicit_->refresh(model_->water);
+  if (implicit_->attempt(model_->water, t, dt, execution)) {
+    iterations_ += implicit_->iterations();
+    leaked_ += implicit_->leaked_from_cracks(model_->water);
+    implicit_->apply(model_->water);
+    const auto booked = implicit_->bookings();
     bookings_.insert(bookings_.end(), booked.begin(), booked.end());
     return;
   }
   if (halvings == most_halvings) {
     throw SolverError(fmt::format(
-        "the flow in the cracks found no solution at time {:.9g} s even with a step of {:.3g} s; "
-        "the results up to the last output are kept. Look for a rate that takes more fluid than "
-        "there is, or extreme apertures",
-        t, dt));
+        "the flow in the {} found no solution at time {:.9g} s even with a step of {:.3g} s; the "
+        "results up to the last output are kept. Look for a rate that takes more fluid than there "
+        "is, or extreme apertures",
+        pores_ ? "cracks" : "cracks and pores", t, dt));
   }
-  flow_in_cracks(t, 0.5 * dt, halvings + 1, execution);
-  flow_in_cracks(t + 0.5 * dt, 0.5 * dt, halvings + 1, execution);
+  flow_implicitly(t, 0.5 * dt, halvings + 1, execution);
+  flow_implicitly(t + 0.5 * dt, 0.5 * dt, halvings + 1, execution);
 }
 
 void CoupledStep::flow_in_pores(double t, double dt, Execution& execution) {
   const double steps = std::max(1.0, std::ceil(dt / pore_limit_));
   const double part = dt / steps;
   for (double k = 0.0; k < steps; k += 1.0) {
-    pores_.step(model_->water, t + k * part, part, execution, bookings_);
+    pores_->step(model_->water, t + k * part, part, execution, bookings_);
   }
 }
 

@@ -15,4 +15,10 @@ enum class FluidEnters {
   softening  ///< once it is past its peak
 };
 
+/// How the flow in the pores is advanced in each step of the motion.
+enum class PoreFlow {
+  explicit_,  ///< in as many steps as their limit asks for
+  implicit    ///< together with the cracks, in one
+};
+
 }  // namespace percolith::coupling

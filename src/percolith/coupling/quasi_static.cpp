@@ -95,7 +95,7 @@ void QuasiStatic::advance_part(double dt, int halvings, Execution& execution) {
     ++parts_;
     const auto booked = flow_->bookings();
     bookings_.insert(bookings_.end(), booked.begin(), booked.end());
-    leaked_ += flow_->leaked_from_cracks(dt);
+    leaked_ += flow_->leaked_from_cracks(model_->water);
     {
       const KeptCrackPressures kept(model_->water);
       flow_->apply(model_->water);

@@ -44,25 +44,32 @@ GraphState gather_state(const Model& model, const FlowGraph& graph) {
   return state;
 }
 
+CompensatedSum content_of_member(const Model& model, const FlowGraph& graph, Index node,
+                                 Index member, const CompensatedSum& whole) {
+  if (graph.members.row(node).size() == 1) {
+    return whole;
+  }
+  const Index vertex = -1 - member;
+  const bool crack = member < 0;
+  double share = 0.0;
+  if (model.can_empty() && whole.total() < 0.0) {
+    share = (crack ? model.crack.void_volume[at(vertex)]
+                   : model.state.void_volume[at(member)] + model.state.growth[at(member)]) /
+            graph.void_volume[at(node)];
+  } else {
+    share = (crack ? model.crack_storage(vertex) : model.state.storage[at(member)]) /
+            graph.storage[at(node)];
+  }
+  return {share * whole.value, share * whole.carry};
+}
+
 void scatter_contents(Model& model, const FlowGraph& graph,
                       std::span<const CompensatedSum> content) {
   for (Index n = 0; n < graph.nodes(); ++n) {
-    const auto members = graph.members.row(n);
-    const CompensatedSum& whole = content[at(n)];
-    const bool partly_empty = model.can_empty() && whole.total() < 0.0;
-    for (const Index m : members) {
-      const Index vertex = -1 - m;
-      CompensatedSum part = whole;
-      if (members.size() > 1) {
-        const double volume = m < 0 ? model.crack.void_volume[at(vertex)]
-                                    : model.state.void_volume[at(m)] + model.state.growth[at(m)];
-        const double storage = m < 0 ? model.crack_storage(vertex) : model.state.storage[at(m)];
-        const double share =
-            partly_empty ? volume / graph.void_volume[at(n)] : storage / graph.storage[at(n)];
-        part = {share * whole.value, share * whole.carry};
-      }
+    for (const Index m : graph.members.row(n)) {
+      CompensatedSum part = content_of_member(model, graph, n, m, content[at(n)]);
       if (m < 0) {
-        set_crack_content(model, vertex, part);
+        set_crack_content(model, -1 - m, part);
       } else {
         part += model.state.growth[at(m)];
         set_pore_content(model, m, part);

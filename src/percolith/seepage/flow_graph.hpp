@@ -59,6 +59,11 @@ struct GraphState {
 
 /// Copies the state of the model into the numbering of the graph.
 [[nodiscard]] GraphState gather_state(const Model& model, const FlowGraph& graph);
+/// Which part of the content `whole` (m2) of a node a member of it has: by storage where the node
+/// is full, by volume where it is partly empty.
+[[nodiscard]] CompensatedSum content_of_member(const Model& model, const FlowGraph& graph,
+                                               Index node, Index member,
+                                               const CompensatedSum& whole);
 /// Gives the contents of the graph back to the model and derives pressures and saturations; nodes
 /// that share a pressure share their content accordingly.
 void scatter_contents(Model& model, const FlowGraph& graph,

@@ -183,13 +183,43 @@ void ImplicitFlow::accept(Model& model) {
   model.state.time += dt_;
 }
 
-double ImplicitFlow::leaked_from_cracks(double dt) const {
+double ImplicitFlow::leaked_from_cracks(const Model& model) const {
   double sum = 0.0;
   for (auto e = at(graph_.crack_edges); e < flow_.size(); ++e) {
     // The edge runs from the face to the crack.
     sum -= flow_[e];
   }
-  return sum * dt;
+  return sum * dt_ + leaked_at_shared_pressure(model);
+}
+
+double ImplicitFlow::leaked_at_shared_pressure(const Model& model) const {
+  const auto is_shared = [&](Index node) {
+    return node != mesh::none && graph_.members.row(node).size() > 1 &&
+           conditions_.prescribed[at(node)] == 0 && !active_.is_open_face(node);
+  };
+  double leaked = 0.0;
+  for (const Index v : model.cracks.open_nodes()) {
+    const Index node = graph_.node_of_vertex[at(v)];
+    if (!is_shared(node)) {
+      continue;
+    }
+    double came = 0.0;  // m2/s, along the cracks and through faces with a pressure of their own
+    for (const Index entry : graph_.incidence.row(node)) {
+      if (entry / 2 >= graph_.joint_edges) {
+        came += entry % 2 == 0 ? -flow_[at(entry / 2)] : flow_[at(entry / 2)];
+      }
+    }
+    CompensatedSum kept = content_of_member(model, graph_, node, -1 - v, content_[at(node)]);
+    kept += -model.state.crack_content[at(v)];
+    kept += -model.state.crack_content_carry[at(v)];
+    leaked += dt_ * came - kept.total();
+  }
+  for (const NodeCondition& c : model.conditions.crack.rate) {
+    if (is_shared(graph_.node_of_vertex[at(c.place)])) {
+      leaked += model.conditions.value(c, time_ + 0.5 * dt_) * dt_;
+    }
+  }
+  return leaked;
 }
 
 void ImplicitFlow::show_pressures(Model& model) const {

@@ -51,8 +51,10 @@ public:
   void accept(Model& model);
   /// The same, but for the accounts and the time of the model.
   void apply(Model& model);
-  /// Fluid that left the cracks through their faces in the attempted step of `dt` seconds, m2.
-  [[nodiscard]] double leaked_from_cracks(double dt) const;
+  /// Fluid that left the cracks through their faces in the attempted step, m2; to be called before
+  /// the step is made the state of the model. Where crack and faces share one pressure it is what
+  /// the crack neither keeps nor passes on; at a pressure that a condition holds there, nothing.
+  [[nodiscard]] double leaked_from_cracks(const Model& model) const;
   /// What the conditions let in in the attempted step.
   [[nodiscard]] std::span<const Booking> bookings() const { return booked_; }
 
@@ -67,6 +69,7 @@ private:
   [[nodiscard]] bool iterate(const Model& model, double dt, Execution& execution);
   void finish(const Model& model, double dt);
   void estimate_error(const Model& model, double dt);
+  [[nodiscard]] double leaked_at_shared_pressure(const Model& model) const;
 
   FlowGraph graph_;
   GraphConditions conditions_;

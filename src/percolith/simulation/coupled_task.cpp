@@ -98,7 +98,9 @@ public:
           model_,
           coupling::QuasiStaticOptions{setup.time.tolerance, setup.time.balance_tolerance, step_});
     } else {
-      scheme_ = std::make_unique<coupling::CoupledStep>(model_, longest_pore_step());
+      scheme_ = std::make_unique<coupling::CoupledStep>(model_, setup.time.pore_flow,
+                                                        longest_pore_step());
+      warn_of_pore_steps();
     }
   }
 
@@ -108,6 +110,7 @@ public:
 protected:
   mechanics::Changes advance(double dt) override {
     mechanics::Changes changes = scheme_->advance(dt, run_.execution);
+    run_.summary.iterations += scheme_->iterations();
     if (is_slow_) {
       judge_flow_step(dt);
     } else {
@@ -153,6 +156,11 @@ private:
   void choose_flow_step(const Stepping& time);
   void judge_flow_step(double dt);
   void warn_of_biot(const Setup& setup);
+  void warn_of_pore_steps();
+  /// Explicit steps of the pores in each of the motion.
+  [[nodiscard]] double pore_steps() const {
+    return std::ceil(longest_step() / longest_pore_step());
+  }
 
   WaterRun water_;
   coupling::CoupledModel model_;
@@ -177,6 +185,17 @@ void CoupledTask::warn_of_biot(const Setup& setup) {
   }
 }
 
+void CoupledTask::warn_of_pore_steps() {
+  // An implicit step costs about as much as so many explicit ones (docs/choosing.md).
+  constexpr double many = 100.0;
+  if (run_.setup.time.pore_flow == PoreFlow::explicit_ && pore_steps() > many) {
+    run_.summary.warnings.push_back(
+        fmt::format("the pores take {:g} explicit steps in each step of the motion; time.pore_flow "
+                    "= \"implicit\" takes one",
+                    pore_steps()));
+  }
+}
+
 void CoupledTask::choose_flow_step(const Stepping& time) {
   is_fixed_ = time.step.has_value();
   longest_flow_step_ = time.step.value_or(time.maximum_step.value_or(time.end / 20.0));
@@ -189,7 +208,6 @@ void CoupledTask::choose_flow_step(const Stepping& time) {
 void CoupledTask::judge_flow_step(double dt) {
   constexpr int few = 8;
   constexpr int many = 25;
-  run_.summary.iterations += scheme_->iterations();
   run_.summary.rejected_steps += scheme_->parts() - 1;
   if (is_fixed_) {
     return;
@@ -230,10 +248,14 @@ CheckReport CoupledTask::check() const {
   const CheckReport flow = make_check_report(run_.setup, water_.model, {});
   report.pore_nodes = flow.pore_nodes;
   report.crack_nodes = flow.crack_nodes;
-  report.unknowns = flow.crack_nodes;
-  report.mechanics.emplace_back(
-      "explicit steps of the pores per step of the motion",
-      static_cast<std::int64_t>(std::ceil(longest_step() / longest_pore_step())));
+  if (run_.setup.time.scheme == Scheme::explicit_ &&
+      run_.setup.time.pore_flow == PoreFlow::explicit_) {
+    report.unknowns = flow.crack_nodes;
+    report.mechanics.emplace_back("explicit steps of the pores per step of the motion",
+                                  static_cast<std::int64_t>(pore_steps()));
+  } else {
+    report.unknowns = flow.unknowns;
+  }
   if (limit_now_ < limit_.rock() && !report.limits.empty()) {
     // The stiffness of the fluid adds to all others.
     report.limits.back().step = limit_now_;

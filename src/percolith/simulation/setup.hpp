@@ -24,6 +24,7 @@ namespace percolith::simulation {
 
 using coupling::FluidEnters;
 using coupling::JointStress;
+using coupling::PoreFlow;
 using material::Plane;
 using seepage::PoreJoints;
 using seepage::SaturationWeight;
@@ -198,6 +199,7 @@ struct Stepping {
                                        ///< of pressures and rock agreeing, quasi-static
   double balance_tolerance = 1e-4;     ///< unbalanced over internal forces, quasi-static
   double safety = 0.9;                 ///< share of the stability limit used, explicit
+  PoreFlow pore_flow = PoreFlow::explicit_;  ///< coupled, explicit
   /// Mechanics ends early when the unbalanced force is below this share of the internal forces.
   std::optional<double> stop_ratio;
   std::optional<double> mass_scaling_step;  ///< s: triangles with a lower limit get more mass

@@ -51,6 +51,29 @@ TEST(ReadCoupled, QuasiStaticRunsTakeNoMotionFromOutside) {
               HasSubstr("only coupled runs are quasi-static"));
 }
 
+TEST(ReadCoupled, PoresMayBeImplicit) {
+  EXPECT_EQ(read(coupled_case).setup.time.pore_flow, simulation::PoreFlow::explicit_);
+  const std::string implicit = "time.pore_flow=implicit";
+  EXPECT_EQ(read(coupled_case, {implicit}).setup.time.pore_flow, simulation::PoreFlow::implicit);
+  EXPECT_EQ(coupled_error({implicit, "time.scheme=explicit", "time.safety=0.5"}), "");
+  EXPECT_EQ(coupled_error({"time.pore_flow=steady"}),
+            "--set: error: time.pore_flow = \"steady\": no such choice; allowed: \"explicit\", "
+            "\"implicit\"");
+  EXPECT_EQ(coupled_error({implicit, "time.scheme=quasi_static"}),
+            "--set: error: time.pore_flow = \"implicit\": has no effect here: it needs time.scheme "
+            "= \"explicit\"");
+  EXPECT_THAT(mechanics_error({implicit}), HasSubstr("it needs model.physics = \"coupled\""));
+}
+
+TEST(ReadCoupled, OnlyImplicitPoresShareThePressureOfACrack) {
+  EXPECT_EQ(coupled_error({"new_cracks.exchange=inf"}),
+            "--set: error: new_cracks.exchange = inf: explicit flow in the pores cannot give "
+            "fracture and rock one pressure; allowed: a finite exchange, or time.pore_flow = "
+            "\"implicit\"");
+  EXPECT_EQ(coupled_error({"new_cracks.exchange=inf", "time.pore_flow=implicit"}), "");
+  EXPECT_EQ(coupled_error({"new_cracks.exchange=inf", "time.scheme=quasi_static"}), "");
+}
+
 TEST(ReadCoupled, KeepsItsOptionsFromTheHalves) {
   EXPECT_THAT(mechanics_error({"material.rock.biot_coefficient=0.5"}),
               HasSubstr("it needs model.physics = \"coupled\""));

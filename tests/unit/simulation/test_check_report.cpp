@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 
-#include "unit/support/setup.hpp"
+#include "unit/support/solid_setup.hpp"
 
 namespace percolith::simulation {
 namespace {
@@ -48,6 +48,32 @@ TEST(CheckReport, WarnsOfSlenderTriangles) {
   ASSERT_EQ(report.warnings.size(), 1u);
   EXPECT_EQ(report.warnings[0].rfind("the smallest angle of the mesh is 5.7 degree, at (", 0), 0u)
       << report.warnings[0];
+}
+
+TEST(CheckReport, NamesImplicitPoresWhereExplicitOnesTakeVeryManySteps) {
+  simulation::Setup setup = test::solid_setup();
+  setup.model.physics = Physics::coupled;
+  setup.time.scheme = Scheme::explicit_;
+  Material& rock = setup.material["sandstone"];
+  rock.joints = RockJoints::elastic;
+  rock.rock.permeability = {1e-7, 1e-7, 0.0};
+  rock.rock.porosity = 0.2;
+  const std::string steps = "explicit steps of the pores per step of the motion";
+  const auto mentions = [](const std::string& option) {
+    return testing::Contains(testing::HasSubstr(option));
+  };
+  const CheckReport many = Simulation(setup, test::plain_mesh()).check();
+  EXPECT_GT(test::value_of(many.mechanics, steps), 100.0);
+  EXPECT_THAT(many.warnings, mentions("time.pore_flow = \"implicit\""));
+  EXPECT_EQ(many.unknowns, 0);
+
+  setup.time.pore_flow = PoreFlow::implicit;
+  const CheckReport one = Simulation(setup, test::plain_mesh()).check();
+  EXPECT_THAT(one.warnings, testing::Not(mentions("time.pore_flow")));
+  EXPECT_EQ(one.unknowns, one.pore_nodes);
+  for (const auto& [name, value] : one.mechanics) {
+    EXPECT_NE(name, steps);
+  }
 }
 
 }  // namespace

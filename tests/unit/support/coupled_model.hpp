@@ -22,6 +22,7 @@ struct CoupledOptions {
   double biot = 0.8;
   coupling::JointStress joint_stress = coupling::JointStress::effective;
   coupling::FluidEnters fluid_enters = coupling::FluidEnters::broken;
+  coupling::PoreFlow pore_flow = coupling::PoreFlow::explicit_;
   std::function<void(mechanics::Model&)> prepare_rock{};  ///< before it is made wet
   std::function<void(seepage::Model&)> prepare_water{};   ///< cracks, state and conditions
   std::function<mechanics::LoadList(const mechanics::Model&)> loads{};
@@ -58,7 +59,7 @@ public:
       : water_(make_water(file, options)), rock_(make_rock(file, options, water_)),
         model_{
             rock_, water_, {options.fluid_enters, std::vector<Index>(water_.mesh.joint.size(), 0)}},
-        limit_(model_), step_(model_, 0.9 * limit_.pores()),
+        limit_(model_), step_(model_, options.pore_flow, 0.9 * limit_.pores()),
         in_place_at_start_(seepage::fluid_in_place(water_, Execution())) {}
   Coupled(const Coupled&) = delete;
   Coupled& operator=(const Coupled&) = delete;
