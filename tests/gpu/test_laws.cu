@@ -8,6 +8,7 @@
 #include "percolith/mechanics/joint.hpp"
 #include "percolith/mechanics/triangle.hpp"
 #include "percolith/seepage/content.hpp"
+#include "percolith/seepage/crack.hpp"
 #include "percolith/seepage/pore.hpp"
 #include "percolith/seepage/pore_flow.hpp"
 
@@ -86,6 +87,30 @@ struct TriangleLaw {
         {{0.1 * h.x.x, 0.1 * h.x.y}, {0.1 * h.y.x, 0.1 * h.y.y}}, {s.xx, s.yy, s.xy});
     out[6] = sigma.xx + sigma.yy;
     out[7] = sigma.xy;
+  }
+};
+
+/// What fluid does to rock and rock to fluid: pressure in triangles, growth of their pores, and a
+/// fracture that its stress closes.
+struct CoupledLaw {
+  PERCOLITH_DEVICE void operator()(const double* in, double* out) const {
+    const Point a{1.0 + 0.2 * in[0], 0.2 * in[1]};
+    const Point b{0.2 * in[2], 1.0 + 0.2 * in[3]};
+    const auto f = mechanics::pressure_forces(a, b, 1e6 * in[4]);
+    for (int k = 0; k < 2; ++k) {
+      out[2 * k] = f[static_cast<std::size_t>(k)].x;
+      out[2 * k + 1] = f[static_cast<std::size_t>(k)].y;
+    }
+    out[4] = mechanics::area_growth(a, b, Point{in[5], in[6]}, Point{in[7], in[8]});
+    const material::Fracture fracture{.initial_aperture = 1e-4,
+                                      .minimum_aperture = 1e-5,
+                                      .maximum_aperture = 3e-4,
+                                      .closure_stress = 1e7};
+    const double compression = 1e7 * (in[9] + 1.0);
+    const double aperture = seepage::hydraulic_aperture(fracture, 4e-4 * in[10], compression);
+    out[5] = aperture;
+    out[6] = seepage::storage_aperture(fracture, 4e-4 * in[10], compression);
+    out[7] = seepage::crack_conductance(fracture, aperture, 1.5 + in[11], 1e-3);
   }
 };
 
@@ -235,6 +260,10 @@ TEST(LawsOnGpu, JointForces) {
 
 TEST(LawsOnGpu, Contact) {
   compare(ContactLaw{});
+}
+
+TEST(LawsOnGpu, Coupled) {
+  compare(CoupledLaw{});
 }
 
 TEST(LawsOnGpu, Flow) {
