@@ -20,6 +20,7 @@ PROGRAMS = Path(os.environ.get("PERCOLITH_BENCH_PROGRAMS", ROOT / "build/bench-p
 REPORT = ROOT / "build/bench/report.json"
 SIX_FRACTURES_LIMIT = 5.0  # s, on two threads
 THREE_CRACKS_LIMIT = 30.0  # s, on two threads
+THREE_CRACKS_TRIANGLES = 15202
 # Threads that wander lose what their processor had in its caches. They wait as they do for users: a
 # thread that sleeps between two loops may take longer to wake up than the loop lasts.
 ENVIRONMENT = {**os.environ, "OMP_PROC_BIND": "true"}
@@ -65,6 +66,7 @@ def coupled_run(end: str, threads: int) -> tuple[dict, float]:
         subprocess.run([PROGRAMS / "percolith", "run", ROOT / "examples/three_cracks/case.toml",
                         "--output", results, "--threads", str(threads), "--quiet",
                         "--set", f"time.end={end}", "--set", "output.interval=",
+                        "--set", "output.history_interval=0.1 ms",
                         "--set", "model.joint_stress=effective"],
                        check=True, env=ENVIRONMENT, stderr=subprocess.DEVNULL)
         return json.loads((results / "summary.json").read_text()), time.perf_counter() - start
@@ -77,23 +79,35 @@ COUPLED_PHASES = {"rock": ("joints", "closed joints", "triangles and motion", "c
                   "cracks": ("crack flow", "crack openings", "crack pressure")}
 
 
+def coupled_phases(end: str) -> tuple[dict, dict]:
+    """ns a triangle and step by phase and by loop, on one thread; the best of three runs."""
+    best = {}, {}
+    for _ in range(3):
+        summary, _ = coupled_run(end, 1)
+        work = summary["steps"] * THREE_CRACKS_TRIANGLES * 1e-9
+        loops = {part: summary["wall_time_s"].get(part, 0.0) / work
+                 for parts in COUPLED_PHASES.values() for part in parts}
+        phases = {phase: sum(loops[part] for part in parts)
+                  for phase, parts in COUPLED_PHASES.items()}
+        if not best[0] or sum(phases.values()) < sum(best[0].values()):
+            best = phases, loops
+    return best
+
+
 def run_three_cracks() -> list[dict]:
     """Time a triangle and step of the coupled loop, intact and while cracks grow, by phase on one
     thread; and the whole program for 10 ms of injection on two."""
     figures = []
     for name, end in (("intact", "0.6 ms"), ("10 ms", "10 ms")):
-        summary, _ = coupled_run(end, 1)
-        work = summary["steps"] * 15202 * 1e-9
-        spent = {phase: sum(summary["wall_time_s"].get(part, 0.0) for part in parts) / work
-                 for phase, parts in COUPLED_PHASES.items()}
-        total = sum(spent.values())
+        phases, loops = coupled_phases(end)
+        total = sum(phases.values())
         print(f"\nthree cracks, {name}, one thread, ns a triangle and step: {total:.1f}")
         for phase, parts in COUPLED_PHASES.items():
-            print(f"  {phase:<7} {spent[phase]:6.1f}  " + ", ".join(
-                f"{part} {summary['wall_time_s'].get(part, 0.0) / work:.1f}" for part in parts))
+            print(f"  {phase:<7} {phases[phase]:6.1f}  "
+                  + ", ".join(f"{part} {loops[part]:.1f}" for part in parts))
         limit = {"limit": 50.0, "sense": "max"} if name == "intact" else {"sense": "report"}
         figures.append({"name": f"coupled.{name}.total", "value": total, "unit": "ns", **limit})
-        figures.append({"name": f"coupled.{name}.cracks", "value": spent["cracks"] / total,
+        figures.append({"name": f"coupled.{name}.cracks", "value": phases["cracks"] / total,
                         "unit": "share", "limit": 0.15, "sense": "max"})
     seconds = min(coupled_run("10 ms", 2)[1] for _ in range(2))
     print(f"three cracks, 10 ms of injection, whole program on 2 threads: {seconds:.1f} s "
