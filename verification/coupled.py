@@ -11,6 +11,7 @@ from crack_paths import broken_lines
 from matplotlib.collections import LineCollection
 from percolith import RunDirectory
 from percolith.run_directory import Frame
+from report import Chapter
 
 PORES = "plasma"
 STRESS = "viridis"
@@ -29,6 +30,15 @@ def _crack_pressure(frame: Frame) -> np.ndarray:
 
 def has_cracks(frame: Frame) -> bool:
     return len(broken_lines(frame)) > 0
+
+
+def break_modes(chapter: Chapter, run: RunDirectory) -> None:
+    """How joints broke: a fluid opens rock, so shear helps at most."""
+    modes = np.array(run.events["mode"])
+    chapter.at_least("tensile", "share of the joints that broke by opening alone",
+                     float(np.mean(modes == "tensile")), 0.2)
+    chapter.at_most("shear", "share of the joints that broke by shear alone; the rest is mixed",
+                    float(np.mean(modes == "shear")), 0.05)
 
 
 def _panels(number: int):

@@ -48,6 +48,11 @@ void check_hydraulics(Rules& rules, const std::string& path, const material::Fra
                "greater than maximum_aperture",
                fmt::format("at most {} m", fracture.maximum_aperture));
   }
+  if (rules.is_coupled() && fracture.minimum_aperture == 0.0) {
+    rules.fail(path + ".minimum_aperture", {"model.physics"},
+               "fluid in a crack that is pressed shut would have no room",
+               "> 0 m where rock moves");
+  }
   const bool is_explicit = rules.setup().time.scheme == simulation::Scheme::explicit_;
   if (is_explicit && fracture.exchange == infinite) {
     rules.fail(path + ".exchange", {"time.scheme"},
