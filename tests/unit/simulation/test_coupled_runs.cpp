@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "unit/support/solid_setup.hpp"
 
@@ -111,6 +112,64 @@ TEST(CoupledRuns, NothingRestsWhileAPumpRuns) {
   const Summary summary = test::run(setup, notched(), shut_in);
   EXPECT_TRUE(summary.reached_rest);
   EXPECT_LT(summary.end_time, 1.0);
+}
+
+/// A notch that the sides press shut.
+simulation::Setup squeezed_shut(double minimum_aperture) {
+  simulation::Setup setup = pumped();
+  setup.source.clear();
+  setup.fracture["notch"].fracture.initial_aperture = 5e-6;
+  setup.fracture["notch"].fracture.minimum_aperture = minimum_aperture;
+  setup.fracture["notch"].fracture.exchange = 1e-9;
+  setup.boundary["rim"] = test::on("bottom");
+  setup.boundary["rim"].fixed = true;
+  setup.boundary["top"] = test::on("top");
+  setup.boundary["top"].normal_pressure = {{0.0, 5e-4}, {0.0, 2e8}, Interpolation::linear};
+  setup.time.end = 1e-3;
+  return setup;
+}
+
+TEST(CoupledRuns, ACrackPressedShutKeepsItsLeastRoom) {
+  test::SolidRecorder recorder;
+  const Summary summary = test::run(squeezed_shut(5e-7), notched(), recorder);
+  EXPECT_EQ(summary.end_time, 1e-3);
+  const HistoryRow& last = recorder.history.back();
+  // Of its two joints the ends in the middle are shut, those at the tips cannot close.
+  const double half = 0.5 * value_of(last.mechanics, "crack_length_m");
+  EXPECT_NEAR(value_of(last.mechanics, "crack_volume_m2"), half * (5e-7 + 5e-6), 1e-12);
+  EXPECT_LT(last.balance.relative_error, 1e-13);
+}
+
+TEST(CoupledRuns, ACrackWithoutAnyRoomIsNamed) {
+  test::SolidRecorder recorder;
+  try {
+    (void)test::run(squeezed_shut(0.0), notched(), recorder);
+    FAIL() << "fluid without room was computed";
+  } catch (const SolverError& error) {
+    const std::string said = error.what();
+    EXPECT_NE(said.find("the crack node with the least room, an aperture of"), std::string::npos)
+        << said;
+    EXPECT_NE(said.find("minimum_aperture"), std::string::npos) << said;
+  }
+}
+
+TEST(CoupledRuns, ASteadyStartWithTooMuchSuctionTellsWhatHelps) {
+  simulation::Setup setup = pumped();
+  setup.initial.steady = true;
+  setup.source["pump"].rate = Schedule::constant(-1e-2);
+  setup.boundary["drain"] = test::on("right");
+  setup.boundary["drain"].pressure = Schedule::constant(1e5);
+  test::SolidRecorder recorder;
+  try {
+    (void)test::run(setup, notched(), recorder);
+    FAIL() << "suction below the cavitation pressure was found";
+  } catch (const SolverError& error) {
+    const std::string said = error.what();
+    EXPECT_NE(said.find("the rock would drain there. Start from initial.pressure"),
+              std::string::npos)
+        << said;
+    EXPECT_EQ(said.find("time.scheme"), std::string::npos) << said;
+  }
 }
 
 }  // namespace
