@@ -43,9 +43,9 @@ struct Dashpot {
 struct FadingSupport {
   double start = 0.0;     ///< s
   double duration = 0.0;  ///< s
-  std::vector<CornerForce> force;
-  double pressure = 0.0;                   ///< Pa, of the fluid on the walls
-  std::vector<std::array<Index, 2>> wall;  ///< corners of each edge, as its triangle goes round
+  std::vector<CornerForce> force{};
+  double pressure = 0.0;                     ///< Pa, of the fluid on the walls
+  std::vector<std::array<Index, 2>> wall{};  ///< corners of each edge, as its triangle goes round
   /// Share of the force that is left at time `t`.
   [[nodiscard]] double left(double t) const;
 };
