@@ -11,6 +11,7 @@ from crack_paths import broken_lines, is_broken
 from matplotlib.collections import LineCollection
 from percolith import RunDirectory
 from percolith.run_directory import Frame
+from report import Chapter
 
 PORES = "plasma"
 STRESS = "RdBu_r"  # white where there is none, red tension
@@ -43,6 +44,15 @@ def _panels(number: int, frame: Frame, window):
     figure, axes = plt.subplots(rows, columns, figsize=(width * columns + 1.0, height * rows),
                                 layout="constrained", sharex=True, sharey=True, squeeze=False)
     return figure, list(axes.flat)
+
+
+def break_modes(chapter: Chapter, run: RunDirectory) -> None:
+    """How joints broke: a fluid opens rock, so shear helps at most."""
+    modes = np.array(run.events["mode"])
+    chapter.at_least("tensile", "share of the joints that broke by opening alone",
+                     float(np.mean(modes == "tensile")), 0.2)
+    chapter.at_most("shear", "share of the joints that broke by shear alone; the rest is mixed",
+                    float(np.mean(modes == "shear")), 0.05)
 
 
 def _finish(axes, title: str, window) -> None:

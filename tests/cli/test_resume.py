@@ -187,6 +187,19 @@ def test_results_that_are_gone_are_refused(percolith, interrupted):
     assert f"{history}: cannot go on with the file" in refusal(percolith, folder)
 
 
+def test_fields_that_are_gone_are_refused(percolith, interrupted, tmp_path):
+    folder = interrupted("rock", delay=0.05)
+    first = folder / "fields/matrix_000000.vtu"
+    sound = first.read_bytes()
+    first.write_bytes(b"")
+    assert f"{first}: the file has 0 bytes" in refusal(percolith, folder)
+    first.write_bytes(sound)
+    (folder / "fields").rename(tmp_path / "fields")
+    assert f"{first}: cannot go on with the file" in refusal(percolith, folder)
+    (tmp_path / "fields").rename(folder / "fields")
+    assert percolith("run", "--resume", folder, *QUIET).returncode == 0
+
+
 def test_a_folder_without_a_run_is_refused(percolith, tmp_path):
     done = percolith("run", "--resume", tmp_path / "none")
     assert done.returncode == 2

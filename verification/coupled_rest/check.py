@@ -23,7 +23,7 @@ VARIANTS = {
     "total": {"model.joint_stress": "total"},
     "finite": {"model.pore_joints": "finite"},
     "softening": {"model.fluid_enters": "softening"},
-    "elastic": {"material.rock.joints": "elastic",
+    "elastic": {"material.rock.joints": "elastic", "new_cracks": None,
                 **{f"material.rock.{name}": None for name in STRENGTH}},
 }
 

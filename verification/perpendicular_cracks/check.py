@@ -106,6 +106,7 @@ def as_printed(chapter: Chapter, work: Path):
 def check(chapter: Chapter, work: Path) -> None:
     shipped = check_criteria(chapter, "perpendicular_cracks", work).results
     behaviour(chapter, shipped)
+    coupled.break_modes(chapter, shipped)
     printed = as_printed(chapter, work)
     runs = {"0.15 m": shipped}
     for name, settings in VARIANTS.items():

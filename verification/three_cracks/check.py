@@ -68,6 +68,7 @@ def turns_away(chapter: Chapter, label: str, run, time: float) -> None:
 
 def check(chapter: Chapter, work: Path) -> None:
     shipped = check_criteria(chapter, "three_cracks", work).results
+    coupled.break_modes(chapter, shipped)
     coarse = run_example("three_cracks", work, "coarse", COARSE)
     paper = run_example("three_cracks", work, "paper", PAPER)
     effective = run_example("three_cracks", work, "effective", EFFECTIVE)

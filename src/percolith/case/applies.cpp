@@ -45,8 +45,8 @@ bool chooses_state(const Setup& setup, const std::string& name) {
   return is_transient(setup, name) && !setup.initial.steady;
 }
 
-const std::string transient = "time.scheme = \"implicit\" or \"explicit\"";
-const std::string free_state = transient + " without initial.steady";
+const std::string transient = "a time.scheme other than \"steady\"";
+const std::string free_state = transient + ", without initial.steady";
 const std::string free_step = "time.scheme = \"implicit\" or \"quasi_static\" without time.step";
 
 const std::vector<Applicability> of_seepage_and_run{

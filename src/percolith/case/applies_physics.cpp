@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/case/applies_physics.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace percolith::case_file {
 
@@ -85,7 +87,7 @@ constexpr std::array<std::string_view, 45> of_motion{{
     "time.mass_scaling_step",
 }};
 
-constexpr std::array<std::string_view, 10> of_coupling{{
+constexpr std::array<std::string_view, 11> of_coupling{{
     "model.joint_stress",
     "model.fluid_enters",
     "model.crack_storage",
@@ -93,6 +95,7 @@ constexpr std::array<std::string_view, 10> of_coupling{{
     "new_cracks",
     "boundary.*.pressurised",
     "excavation.*.pressure",
+    "excavation.*.pressurised",
     "fracture.*.closure_stress",
     "time.balance_tolerance",
     "time.pore_flow",
@@ -112,6 +115,36 @@ bool is_coupled(const Setup& setup, const std::string& /*name*/) {
 
 bool is_breakable(const Setup& setup, const std::string& name) {
   return setup.material.at(name).joints == simulation::RockJoints::breakable;
+}
+
+/// Whether joints between triangles may break.
+bool may_crack(const Setup& setup, const std::string& /*name*/) {
+  return std::any_of(setup.material.begin(), setup.material.end(), [](const auto& entry) {
+    return entry.second.joints == simulation::RockJoints::breakable;
+  });
+}
+
+/// Whether joints may break, those of cohesive fractures among them.
+bool may_break(const Setup& setup, const std::string& name) {
+  return may_crack(setup, name) ||
+         std::any_of(setup.fracture.begin(), setup.fracture.end(), [](const auto& entry) {
+           return entry.second.bond == simulation::Bond::cohesive;
+         });
+}
+
+/// Whether the aperture that conducts, or that which holds, is limited by the maximum.
+bool has_limit(const Setup& setup, const material::Fracture& fracture) {
+  return !fracture.transmissivity || setup.model.crack_storage == simulation::CrackStorage::clamped;
+}
+
+/// Whether some crack has a largest aperture.
+bool has_maximum(const Setup& setup, const std::string& /*name*/) {
+  const auto is_limited = [](const auto& group) {
+    return std::isfinite(group.fracture.maximum_aperture);
+  };
+  return (setup.new_cracks && is_limited(*setup.new_cracks)) ||
+         std::any_of(setup.fracture.begin(), setup.fracture.end(),
+                     [&](const auto& entry) { return is_limited(entry.second); });
 }
 
 bool is_layered(const Setup& setup, const std::string& name) {
@@ -174,6 +207,37 @@ void add_fractures(std::vector<Applicability>& rules) {
   }
 }
 
+void add_coupling(std::vector<Applicability>& rules) {
+  const std::string breakable = "a rock with joints = \"breakable\"";
+  const std::string breaks = breakable + ", or a fracture with bond = \"cohesive\"";
+  rules.push_back({"new_cracks", {"material"}, may_crack, breakable});
+  rules.push_back({"model.fluid_enters", {"material", "fracture"}, may_break, breaks});
+  rules.push_back({"model.joint_stress", {"material", "fracture"}, may_break, breaks});
+  rules.push_back({"model.crack_storage",
+                   {"fracture", "new_cracks"},
+                   has_maximum,
+                   "a fracture or new cracks with a finite maximum_aperture"});
+  const std::string limit = "the cubic law, or model.crack_storage = \"clamped\"";
+  rules.push_back({"fracture.*.maximum_aperture",
+                   {"fracture.*.transmissivity", "model.crack_storage"},
+                   [](const Setup& setup, const std::string& name) {
+                     return has_limit(setup, setup.fracture.at(name).fracture);
+                   },
+                   limit});
+  rules.push_back({"new_cracks.maximum_aperture",
+                   {"new_cracks.transmissivity", "model.crack_storage"},
+                   [](const Setup& setup, const std::string&) {
+                     return setup.new_cracks && has_limit(setup, setup.new_cracks->fracture);
+                   },
+                   limit});
+  rules.push_back({"excavation.*.pressurised",
+                   {"excavation.*.pressure"},
+                   [](const Setup& setup, const std::string& name) {
+                     return setup.excavation.at(name).pressure != 0.0;
+                   },
+                   "a pressure other than 0"});
+}
+
 }  // namespace
 
 std::vector<Applicability> needs_of_physics() {
@@ -193,6 +257,7 @@ std::vector<Applicability> needs_within_mechanics() {
   std::vector<Applicability> rules;
   add_materials(rules);
   add_fractures(rules);
+  add_coupling(rules);
   for (const char* const option : {"velocity_x", "velocity_y"}) {
     rules.push_back({std::string("body.*.") + option, {"body.*.rigid"}, is_rigid, "rigid = true"});
     rules.push_back(

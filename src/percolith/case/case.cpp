@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/case/case.hpp"
 
+#include "percolith/case/defaults.hpp"
 #include "percolith/case/describe.hpp"
 #include "percolith/case/overrides.hpp"
 #include "percolith/case/path.hpp"
@@ -59,10 +60,17 @@ std::string_view physics_of_case(const Node& root) {
   return {};
 }
 
-/// Motion knows one scheme, which a case need not name.
-void choose_scheme(Case& known) {
-  if (simulation::has_motion(known.setup.model.physics) && !known.locations.given("time.scheme")) {
-    known.setup.time.scheme = simulation::Scheme::explicit_;
+/// What a rock of solid grains has is a range; beyond it the equations still hold.
+void warn_of_biot(Case& known) {
+  for (const auto& [name, material] : known.setup.material) {
+    const double alpha = material.biot_coefficient;
+    if (alpha < material.rock.porosity || alpha > 1.0) {
+      const std::string key = "material." + name + ".biot_coefficient";
+      known.warnings.push_back(fmt::format(
+          "{}: warning: {} = {:g} is outside of the range from the porosity, {:g}, to 1 that a "
+          "rock of solid grains has",
+          to_text(known.locations.nearest(key).location), key, alpha, material.rock.porosity));
+    }
   }
 }
 
@@ -104,9 +112,12 @@ Case read_case_text(std::string_view text, const std::filesystem::path& file,
   Reader reader(root, {}, context);
   describe(reader, result.setup);
   reader.finish();
-  choose_scheme(result);
+  choose_defaults(result.setup, result.locations);
   check_rules(result.setup, context);
   problems.throw_if_any();
+  if (result.setup.model.physics == simulation::Physics::coupled) {
+    warn_of_biot(result);
+  }
   return result;
 }
 

@@ -42,7 +42,7 @@ void describe(V& option, simulation::Setup& m) {
   option(m.contact, Table{"contact", "Contact between faces that meet, and its friction."});
   option(m.initial,
          Table{"initial", "The state at time zero: at most one of pressure, head, "
-                          "water_table and steady. Needs time.scheme implicit or explicit."});
+                          "water_table and steady. Needs a time.scheme other than steady."});
   option(m.time, Table{"time", "How the run advances in time."});
   option(m.output, Table{"output", "When and what is written."});
   option(m.probe, NamedTables{"probe", "Values written over time, at a point or on a line."});

@@ -136,8 +136,12 @@ void describe(V& option, simulation::Excavation& m) {
   option(m.duration, Quantity{"duration", "s", not_negative, Need::optional,
                               "Time in which the forces they gave to the rest fade to nothing."});
   option(m.pressure, Quantity{"pressure", "Pa", finite, Need::optional,
-                              "Pressure of the fluid in the opening, and so at its walls, from the "
-                              "start of the excavation on."});
+                              "Pressure of the fluid in the opening, and so in the pores and "
+                              "cracks at its walls, from the start of the excavation on."});
+  option(m.pressurised,
+         Flag{"pressurised", "Whether this fluid presses on the rock of the walls as well, as much "
+                             "as what was there before has faded; false where a lining bears it. "
+                             "Needs a pressure other than 0."});
 }
 
 template <class V>

@@ -106,8 +106,11 @@ void describe(V& option, simulation::Material& m) {
                   "Intrinsic permeability: one value, or the tensor as [kxx, kyy, kxy] or "
                   "[[kxx, kxy], [kxy, kyy]]; positive definite.",
                   "required with flow"});
-  option(m.rock.porosity, Quantity{"porosity", "1", positive_fraction, Need::optional,
-                                   "Volume of pores over volume of rock.", "required with flow"});
+  option(m.rock.porosity,
+         Quantity{"porosity", "1", positive_fraction, Need::optional,
+                  "Volume of pores over volume of rock; 1 is a region of fluid that "
+                  "flows as in a porous rock.",
+                  "required with flow"});
   option(m.rock.biot_modulus,
          Quantity{"biot_modulus", "Pa", positive, Need::optional,
                   "Biot modulus: pressure per fluid content at constant volume.",
@@ -138,10 +141,16 @@ template <class V>
 void list_hydraulics(V& option, material::Fracture& m, std::string_view needed) {
   option(m.initial_aperture, Quantity{"initial_aperture", "m", positive, Need::optional,
                                       "Hydraulic aperture at zero opening.", needed});
-  option(m.minimum_aperture, Quantity{"minimum_aperture", "m", not_negative, Need::optional,
-                                      "Lower bound of the aperture."});
-  option(m.maximum_aperture, Quantity{"maximum_aperture", "m", positive_or_infinite, Need::optional,
-                                      "Upper bound of the aperture that conducts."});
+  option(m.minimum_aperture,
+         Quantity{"minimum_aperture", "m", not_negative, Need::optional,
+                  "Lower bound of the aperture, of what conducts and of what holds fluid; above 0 "
+                  "where rock moves, since fluid without room would be infinitely stiff.",
+                  "0; in coupled physics initial_aperture/10, or /100 with closure_stress, and at "
+                  "most maximum_aperture"});
+  option(m.maximum_aperture,
+         Quantity{"maximum_aperture", "m", positive_or_infinite, Need::optional,
+                  "Upper bound of the aperture that conducts. Needs the cubic law, or "
+                  "crack_storage = \"clamped\"."});
   option(m.closure_stress,
          Quantity{"closure_stress", "Pa", positive, Need::optional,
                   "Effective normal stress s_ref that closes the fracture to a tenth: the aperture "

@@ -22,7 +22,7 @@ void describe(V& option, simulation::Stepping& m) {
                                   "in balance with the flow at every step.",
                                   "explicit"});
   option(m.end, Quantity{"end", "s", positive, Need::optional,
-                         "Time at which the run ends. Needs implicit or explicit.",
+                         "Time at which the run ends. Needs a scheme other than steady.",
                          "required unless steady"});
   option(m.step, Quantity{"step", "s", positive, Need::optional,
                           "Fixed step (implicit, quasi_static), or upper bound of the step "
@@ -53,7 +53,8 @@ void describe(V& option, simulation::Stepping& m) {
                           "with the cracks, in one. Cracks are always implicit."});
   option(m.stop_ratio, Quantity{"stop_ratio", "1", Bounds{0.0, 1.0, false, false}, Need::optional,
                                 "Unbalanced force over internal forces below which the rock is at "
-                                "rest and the run ends.",
+                                "rest and the run ends; in coupled physics the pressures in the "
+                                "cracks must rest as well, and no rate may go on to the end.",
                                 "the run goes on to its end"});
   option(m.mass_scaling_step,
          Quantity{"mass_scaling_step", "s", positive, Need::optional,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/case/key_locations.hpp"
 
+#include <fmt/format.h>
+
 namespace percolith::case_file {
 
 Written KeyLocations::nearest(const std::string& key) const {
@@ -19,6 +21,10 @@ Written KeyLocations::nearest(const std::string& key) const {
     }
   }
   return {file_, {}};
+}
+
+std::string to_text(const FileLocation& at) {
+  return at.line > 0 ? fmt::format("{}:{}:{}", at.file, at.line, at.column) : at.file;
 }
 
 }  // namespace percolith::case_file

@@ -14,6 +14,9 @@ struct Written {
   std::string value;  ///< as text, shortened; empty for a table
 };
 
+/// `file:line:column`, or the file where no line is known.
+[[nodiscard]] std::string to_text(const FileLocation& at);
+
 /// Every option and table the user wrote, by dotted path.
 class KeyLocations {
 public:

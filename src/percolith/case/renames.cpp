@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/case/renames.hpp"
 
+#include "percolith/case/key_locations.hpp"
 #include "percolith/case/path.hpp"
 
 #include <fmt/format.h>
@@ -67,10 +68,6 @@ void erase_with_empty_tables(Node& root, Path path) {
     }
     erase_at(root, path);
   }
-}
-
-std::string to_text(const FileLocation& at) {
-  return at.line > 0 ? fmt::format("{}:{}:{}", at.file, at.line, at.column) : at.file;
 }
 
 }  // namespace

@@ -76,6 +76,24 @@ void check_quasi_static(Rules& rules) {
   }
 }
 
+/// Rock into which a pump goes on pushing fluid never comes to rest.
+void check_stop_ratio(Rules& rules) {
+  const Setup& setup = rules.setup();
+  const auto refuse_beside = [&](const std::string& key, const std::optional<Schedule>& rate) {
+    if (setup.time.stop_ratio && rate && rate->at(setup.time.end) != 0.0) {
+      rules.fail("time.stop_ratio", {"time.end", key},
+                 "fluid still flows by " + key + " when the run ends, so it never comes to rest",
+                 "a schedule that ends with 0 there, or time.end alone");
+    }
+  };
+  for (const auto& [name, source] : setup.source) {
+    refuse_beside("source." + name + ".rate", source.rate);
+  }
+  for (const auto& [name, condition] : setup.boundary) {
+    refuse_beside("boundary." + name + ".flux", condition.flux);
+  }
+}
+
 void check_plane(Rules& rules) {
   if (rules.setup().model.plane == simulation::Plane::stress) {
     rules.fail("model.plane", {"model.physics"},
@@ -92,6 +110,7 @@ void check_coupling(Rules& rules) {
   check_cavitation(rules);
   check_plane(rules);
   check_quasi_static(rules);
+  check_stop_ratio(rules);
 }
 
 }  // namespace percolith::case_file

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace percolith::case_file {
 
 namespace {
@@ -98,6 +100,27 @@ void check_excavations(Rules& rules) {
   }
 }
 
+/// Something must stay that the openings are in.
+void check_rest(Rules& rules) {
+  const auto is_dug = [&](const std::string& region) {
+    return std::any_of(rules.setup().excavation.begin(), rules.setup().excavation.end(),
+                       [&](const auto& entry) {
+                         const std::vector<std::string>& dug = entry.second.regions;
+                         return std::find(dug.begin(), dug.end(), region) != dug.end();
+                       });
+  };
+  for (const auto& [name, material] : rules.setup().material) {
+    if (!std::all_of(material.regions.begin(), material.regions.end(), is_dug)) {
+      return;
+    }
+  }
+  if (!rules.setup().excavation.empty()) {
+    rules.fail("excavation." + rules.setup().excavation.rbegin()->first + ".regions", {"material"},
+               "leaves no rock: every region of every material is taken out",
+               "regions that are a part of the model");
+  }
+}
+
 void check_damping(Rules& rules) {
   const simulation::Damping& damping = rules.setup().damping;
   if (damping.element_viscosity > 0.0 && damping.viscosity_ratio > 0.0) {
@@ -114,6 +137,7 @@ void check_mechanics(Rules& rules) {
   check_bodies(rules);
   check_forces(rules);
   check_excavations(rules);
+  check_rest(rules);
   check_damping(rules);
 }
 

@@ -51,6 +51,11 @@ void check_hydraulics(Rules& rules, const std::string& path, const material::Fra
   const simulation::Stepping& time = rules.setup().time;
   const bool is_explicit = time.scheme == simulation::Scheme::explicit_ &&
                            time.pore_flow == simulation::PoreFlow::explicit_;
+  if (rules.is_coupled() && fracture.minimum_aperture == 0.0) {
+    rules.fail(path + ".minimum_aperture", {"model.physics"},
+               "fluid in a crack that is pressed shut would have no room",
+               "> 0 m where rock moves");
+  }
   if (is_explicit && fracture.exchange == infinite) {
     rules.fail(path + ".exchange", {"time.scheme", "time.pore_flow"},
                rules.has_motion()

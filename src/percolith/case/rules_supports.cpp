@@ -51,6 +51,7 @@ std::vector<Conflict> conflicts() {
       {"velocity_x", {"traction_x", "absorbing"}},
       {"velocity_y", {"traction_y", "absorbing"}},
       {"normal_pressure", {"traction_x", "traction_y", "pressurised", "in_situ"}},
+      {"pressurised", {"traction_x", "traction_y", "in_situ"}},
   };
 }
 

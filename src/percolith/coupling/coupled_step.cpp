@@ -10,8 +10,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 
 namespace percolith::coupling {
+namespace {
+
+/// The crack node with the least room per length of its joints, in words.
+std::string narrowest_place(const seepage::Model& water) {
+  mesh::Index narrowest = mesh::none;
+  double least = std::numeric_limits<double>::infinity();
+  for (const mesh::Index v : water.cracks.open_nodes()) {
+    double half_length = 0.0;
+    for (const mesh::Index j : water.mesh.vertex_joints.row(v)) {
+      half_length += water.cracks.is_broken(j) ? 0.5 * water.mesh.joint_length(j) : 0.0;
+    }
+    const double aperture = water.crack.void_volume[at(v)] / half_length;
+    if (aperture < least) {
+      least = aperture;
+      narrowest = v;
+    }
+  }
+  if (narrowest == mesh::none) {
+    return {};
+  }
+  const Point p = water.mesh.vertex[at(narrowest)];
+  return fmt::format("; the crack node with the least room, an aperture of {:.3g} m, is at "
+                     "({:.6g}, {:.6g})",
+                     least, p.x, p.y);
+}
+
+}  // namespace
 
 CoupledStep::CoupledStep(CoupledModel& model, PoreFlow pore_flow, double pore_limit)
     : model_(&model), pore_limit_(pore_limit) {
@@ -89,10 +118,10 @@ void CoupledStep::flow_implicitly(double t, double dt, int halvings, Execution& 
   }
   if (halvings == most_halvings) {
     throw SolverError(fmt::format(
-        "the flow in the {} found no solution at time {:.9g} s even with a step of {:.3g} s; the "
+        "the flow in the {} found no solution at time {:.9g} s even with a step of {:.3g} s{}; the "
         "results up to the last output are kept. Look for a rate that takes more fluid than there "
-        "is, or extreme apertures",
-        pores_ ? "cracks" : "cracks and pores", t, dt));
+        "is, or cracks pressed shut with too small a minimum_aperture",
+        pores_ ? "cracks" : "cracks and pores", t, dt, narrowest_place(model_->water)));
   }
   flow_implicitly(t, 0.5 * dt, halvings + 1, execution);
   flow_implicitly(t + 0.5 * dt, 0.5 * dt, halvings + 1, execution);

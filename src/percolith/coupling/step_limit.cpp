@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/coupling/step_limit.hpp"
 
+#include "percolith/coupling/fluid_stiffness.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -88,8 +90,8 @@ double StepLimit::motion(const CoupledModel& model) {
     const mesh::Joint& joint = rock.mesh.joint[at(faces.joint)];
     for (std::size_t end = 0; end < 2; ++end) {
       const auto v = at(joint.vertex[end]);
-      const double k = 0.5 * rock.mesh.joint_length(faces.joint) * pushed_[v] *
-                       water.fluid.bulk_modulus / water.crack.void_volume[v];
+      const double k = fluid_stiffness(rock.mesh.joint_length(faces.joint), pushed_[v],
+                                       water.fluid.bulk_modulus, water.crack.void_volume[v]);
       stiffness_[at(joint.corner[0][end])] += k;
       stiffness_[at(joint.corner[1][end])] += k;
     }

@@ -98,6 +98,11 @@ void ResultsWriter::describe_state(StateArchive& archive) {
     for (const auto& [name, size] : sizes) {
       require_size(folder_ / name, size);
     }
+    for (const TimeSeries* series : {&matrix_series_, &crack_series_}) {
+      for (const std::string& name : series->files()) {
+        require_size(folder_ / name, 1);
+      }
+    }
     kept_ = std::move(sizes);
   }
 }

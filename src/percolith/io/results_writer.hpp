@@ -29,7 +29,8 @@ public:
   void on_fragments(double time, const std::vector<simulation::FragmentRow>& rows) override;
 
   /// How far the files have come. A reading archive only remembers it, and throws FileError where a
-  /// table is shorter than it was; `on_resume` cuts tables, collections and fields back to it.
+  /// table is shorter than it was or a file of fields is gone; `on_resume` cuts tables, collections
+  /// and fields back to it.
   void describe_state(StateArchive& archive);
   void on_resume(double time, std::int64_t step) override;
   /// Returns when all that was written has reached the disk. Throws FileError.

@@ -6,12 +6,27 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 namespace percolith::io {
 
 void TimeSeries::add(double time, const std::string& file) {
   entries_ +=
       fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", time, escape_xml(file));
   write();
+}
+
+std::vector<std::string> TimeSeries::files() const {
+  constexpr std::string_view before = "file=\"";
+  std::vector<std::string> names;
+  std::size_t found = entries_.find(before);
+  while (found != std::string::npos) {
+    const std::size_t first = found + before.size();
+    const std::size_t last = entries_.find('"', first);
+    names.push_back(entries_.substr(first, last - first));
+    found = entries_.find(before, last);
+  }
+  return names;
 }
 
 void TimeSeries::write() const {

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace percolith::io {
 
@@ -17,6 +18,8 @@ public:
   /// Adds `file`, relative to the collection, at `time` in s and writes the collection.
   /// Throws FileError; the collection written before then stays.
   void add(double time, const std::string& file);
+  /// The files it lists, in the order of time.
+  [[nodiscard]] std::vector<std::string> files() const;
   void describe_state(StateArchive& archive) { archive("entries", entries_); }
   /// Writes the collection as it is now, or removes it where it has no files. Throws FileError.
   void write() const;

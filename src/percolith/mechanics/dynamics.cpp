@@ -171,7 +171,7 @@ void Dynamics::renew_contact(const Changes& changes) {
   }
 }
 
-void Dynamics::take_out(std::span<const Index> triangles, double duration) {
+void Dynamics::take_out(std::span<const Index> triangles, double duration, double pressure) {
   std::vector<std::uint8_t> removed(at(model_.mesh.triangles()), 0);
   for (const Index t : triangles) {
     removed[at(t)] = 1;
@@ -182,6 +182,7 @@ void Dynamics::take_out(std::span<const Index> triangles, double duration) {
   const ContactRelease contact = contact_.release(model_.mesh, motion_of(model_), removed);
   model_.energy.taken_out += contact.energy;
   FadingSupport support = remove_triangles(model_, table_, triangles, removed, duration);
+  support.pressure = pressure;
   support.force.insert(support.force.end(), contact.force.begin(), contact.force.end());
   loads_.add_fading(model_.mesh, std::move(support));
   start_contact();

@@ -23,8 +23,8 @@ public:
   Changes advance(double dt, Execution& execution);
 
   /// Takes regions' triangles out at the present time; the forces they gave to the rest fade over
-  /// `duration` (s).
-  void take_out(std::span<const Index> triangles, double duration);
+  /// `duration` (s), while a fluid of `pressure` (Pa) comes to press on the walls they leave.
+  void take_out(std::span<const Index> triangles, double duration, double pressure = 0.0);
 
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] Model& model() { return model_; }

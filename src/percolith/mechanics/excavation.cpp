@@ -112,6 +112,19 @@ void support_by_joint(const Model& model, Index j, std::size_t kept_side,
   }
 }
 
+/// Edge of a triangle of the rest that the opening lays bare, in the order of its corners.
+std::array<Index, 2> wall_of(const mesh::Mesh& mesh, Index j, std::size_t kept_side) {
+  const std::array<Index, 2>& ends = mesh.joint[at(j)].corner[kept_side];
+  const Index t = mesh::triangle_of(ends[0]);
+  for (Index k = 0; k < 3; ++k) {
+    const std::array<Index, 2> edge{mesh::corner_of(t, k), mesh::corner_of(t, (k + 1) % 3)};
+    if (edge[0] == ends[1] && edge[1] == ends[0]) {
+      return edge;
+    }
+  }
+  return ends;
+}
+
 double energy_held(const Model& model, Index t) {
   double energy = elastic_energy_of(model, t);
   for (Index k = 0; k < 3; ++k) {
@@ -149,7 +162,9 @@ FadingSupport remove_triangles(Model& model, const JointTable& table,
   Execution serial(Backend::serial);
   const double stored_before = stored_in_joints(model, table, serial);
   renew_joint_forces(model, table, removed);
-  FadingSupport support{model.motion.time, duration, {}};
+  FadingSupport support;
+  support.start = model.motion.time;
+  support.duration = duration;
   support_by_nodes(model, removed, triangles, support.force);
   std::vector<Index> vertices;
   for (Index j = 0; j < model.mesh.joints(); ++j) {
@@ -157,8 +172,12 @@ FadingSupport remove_triangles(Model& model, const JointTable& table,
     const bool first = removed[at(mesh::triangle_of(corner[0][0]))] != 0;
     const bool second = removed[at(mesh::triangle_of(corner[1][0]))] != 0;
     if (first || second) {
+      const std::size_t kept_side = first ? 1 : 0;
       if (first != second && model.tied[at(j)] == 0) {
-        support_by_joint(model, j, first ? 1 : 0, support.force);
+        support_by_joint(model, j, kept_side, support.force);
+      }
+      if (first != second) {
+        support.wall.push_back(wall_of(model.mesh, j, kept_side));
       }
       book_bond(model, table, j);
       leave_pores(model, j);

@@ -20,11 +20,18 @@ Point velocity(const Model& model, Index corner) {
 }
 
 /// Edge of a triangle as it lies now, from its first corner to its second.
-Point present_edge(const Model& model, const mesh::BoundaryEdge& edge) {
-  const auto a = at(edge.corner[0]);
-  const auto b = at(edge.corner[1]);
+Point present_edge(const Model& model, const std::array<Index, 2>& corner) {
+  const auto a = at(corner[0]);
+  const auto b = at(corner[1]);
   const Point u{model.motion.ux[b] - model.motion.ux[a], model.motion.uy[b] - model.motion.uy[a]};
-  return (model.mesh.vertex[at(edge.vertex[1])] - model.mesh.vertex[at(edge.vertex[0])]) + u;
+  return (model.mesh.place_of(corner[1]) - model.mesh.place_of(corner[0])) + u;
+}
+
+/// Pressure p (Pa) on the present edge of a triangle, -p n L, half of it at each end.
+void press(Model& model, const std::array<Index, 2>& corner, double pressure) {
+  const Point half = -0.5 * pressure * clockwise(present_edge(model, corner));
+  add(model, corner[0], half);
+  add(model, corner[1], half);
 }
 
 }  // namespace
@@ -60,6 +67,9 @@ void LoadSet::find_corners(const mesh::Mesh& mesh) {
   std::for_each(list_.dashpot.begin(), list_.dashpot.end(), add_corner);
   for (const FadingSupport& support : list_.fading) {
     std::for_each(support.force.begin(), support.force.end(), add_corner);
+    for (const auto& corners : support.wall) {
+      corners_.insert(corners_.end(), corners.begin(), corners.end());
+    }
   }
   std::sort(corners_.begin(), corners_.end());
   corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
@@ -79,6 +89,7 @@ void LoadSet::apply(Model& model) {
   }
   add_edges(model);
   add_points(model);
+  add_supports(model);
   const double dt = model.motion.last_step;
   for (std::size_t i = 0; i < list_.dashpot.size(); ++i) {
     const Dashpot& dashpot = list_.dashpot[i];
@@ -105,10 +116,7 @@ void LoadSet::add_edges(Model& model) const {
   for (const EdgePressure& load : list_.pressure) {
     const double pressure = load.pressure.at(t);
     for (const Index e : load.edges) {
-      const mesh::BoundaryEdge& edge = model.mesh.boundary[at(e)];
-      const Point half = -0.5 * pressure * clockwise(present_edge(model, edge));
-      add(model, edge.corner[0], half);
-      add(model, edge.corner[1], half);
+      press(model, model.mesh.boundary[at(e)].corner, pressure);
     }
   }
 }
@@ -121,10 +129,16 @@ void LoadSet::add_points(Model& model) const {
   for (const PointLoad& load : list_.point) {
     add(model, load.corner, load.share * Point{load.x.at(t), load.y.at(t)});
   }
+}
+
+void LoadSet::add_supports(Model& model) const {
   for (const FadingSupport& support : list_.fading) {
-    const double left = support.left(t);
+    const double left = support.left(model.motion.time);
     for (const CornerForce& load : support.force) {
       add(model, load.corner, left * load.force);
+    }
+    for (const auto& corners : support.wall) {
+      press(model, corners, (1.0 - left) * support.pressure);
     }
   }
 }

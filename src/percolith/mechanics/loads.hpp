@@ -37,11 +37,15 @@ struct Dashpot {
   Tensor resistance;  ///< C, kg/(m s)
 };
 
-/// Forces of regions that were taken out, fading over time.
+/// Forces of regions that were taken out, fading over time, and those of the fluid that fills the
+/// opening instead: as much as the former have faded, it pushes along the normals of the deformed
+/// walls.
 struct FadingSupport {
   double start = 0.0;     ///< s
   double duration = 0.0;  ///< s
-  std::vector<CornerForce> force;
+  std::vector<CornerForce> force{};
+  double pressure = 0.0;                     ///< Pa, of the fluid on the walls
+  std::vector<std::array<Index, 2>> wall{};  ///< corners of each edge, as its triangle goes round
   /// Share of the force that is left at time `t`.
   [[nodiscard]] double left(double t) const;
 };
@@ -67,7 +71,7 @@ public:
   /// Books the work of the dashpots over the first half of a step of `dt` (s) just made.
   void book_absorbed(Model& model, double dt) const;
 
-  /// Adds forces that fade, of regions taken out.
+  /// Adds forces that fade, of regions taken out, and those of the fluid that comes instead.
   void add_fading(const mesh::Mesh& mesh, FadingSupport support);
   /// The first time after `t` at which a schedule jumps or bends.
   [[nodiscard]] double next_break(double t) const;
@@ -80,6 +84,7 @@ public:
 private:
   void add_edges(Model& model) const;
   void add_points(Model& model) const;
+  void add_supports(Model& model) const;
   void find_corners(const mesh::Mesh& mesh);
   LoadList list_;
   std::vector<Index> corners_;  // that have a load, ascending

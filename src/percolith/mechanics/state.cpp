@@ -127,6 +127,8 @@ static void describe_state(StateArchive& archive, FadingSupport& support) {
   archive("start", support.start);
   archive("duration", support.duration);
   archive.of_any_size("force", support.force);
+  archive("pressure", support.pressure);
+  archive.of_any_size("wall", support.wall);
 }
 
 void LoadSet::describe_state(StateArchive& archive, const mesh::Mesh& mesh) {

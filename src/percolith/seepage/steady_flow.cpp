@@ -18,7 +18,8 @@ namespace {
 
 constexpr int most_iterations = 200;
 
-void refuse_suction(const Model& model, const FlowGraph& graph, const GraphState& state) {
+void refuse_suction(const Model& model, const FlowGraph& graph, const GraphState& state,
+                    std::string_view way_out) {
   if (!model.can_empty()) {
     return;
   }
@@ -29,11 +30,8 @@ void refuse_suction(const Model& model, const FlowGraph& graph, const GraphState
     const Point p = graph.place(model, node);
     throw SolverError(fmt::format(
         "steady flow needs a pressure of {:.6g} Pa at the {} at ({:.6g}, {:.6g}), below the "
-        "cavitation pressure of {:.6g} Pa: the rock would drain there. Use time.scheme = "
-        "\"implicit\" and run until nothing changes, or set fluid.cavitation_pressure = \"-inf\" "
-        "to "
-        "keep it saturated under suction",
-        *lowest, graph.kind(node), p.x, p.y, limit));
+        "cavitation pressure of {:.6g} Pa: the rock would drain there. {}",
+        *lowest, graph.kind(node), p.x, p.y, limit, way_out));
   }
 }
 
@@ -148,7 +146,7 @@ std::optional<Index> node_without_datum(const FlowGraph& graph, const GraphCondi
   return std::nullopt;
 }
 
-SteadyResult solve_steady(Model& model, Execution& execution) {
+SteadyResult solve_steady(Model& model, Execution& execution, std::string_view way_out) {
   const auto start = std::chrono::steady_clock::now();
   const FlowGraph graph = make_flow_graph(model);
   const GraphConditions conditions = make_graph_conditions(model, graph);
@@ -169,7 +167,7 @@ SteadyResult solve_steady(Model& model, Execution& execution) {
     throw SolverError(fmt::format("steady flow: the seepage faces did not settle in {} iterations",
                                   most_iterations));
   }
-  refuse_suction(model, graph, fields.state);
+  refuse_suction(model, graph, fields.state, way_out);
   book_rates(model, conditions, active, fields.inflow, fields.rate);
   result.throughput = model.rate_in;
   result.round_off = round_off_flow(graph, fields.state);

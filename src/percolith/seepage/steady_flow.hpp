@@ -6,6 +6,7 @@
 #include "percolith/seepage/graph_conditions.hpp"
 
 #include <optional>
+#include <string_view>
 
 namespace percolith::seepage {
 
@@ -13,6 +14,11 @@ namespace percolith::seepage {
 /// pressures there would be arbitrary; absent when every part has a datum. Seepage faces count.
 [[nodiscard]] std::optional<Index> node_without_datum(const FlowGraph& graph,
                                                       const GraphConditions& conditions);
+
+/// What helps in rock at rest where steady flow would need more suction than there is.
+inline constexpr std::string_view ways_out_of_suction =
+    "Use time.scheme = \"implicit\" and run until nothing changes, or set "
+    "fluid.cavitation_pressure = \"-inf\" to keep it saturated under suction";
 
 /// What a steady solution took.
 struct SteadyResult {
@@ -25,8 +31,9 @@ struct SteadyResult {
 
 /// Finds the steady pressures (theory.md section 6) under the conditions at the model's time, in
 /// one solve, or iterated over the seepage faces; sets the state and `model.rate`. Throws
-/// SolverError, with a place, where the flow would need suction below the cavitation pressure or no
-/// solution is found.
-SteadyResult solve_steady(Model& model, Execution& execution);
+/// SolverError, with a place, where the flow would need suction below the cavitation pressure, with
+/// `way_out` as what to do then, or no solution is found.
+SteadyResult solve_steady(Model& model, Execution& execution,
+                          std::string_view way_out = ways_out_of_suction);
 
 }  // namespace percolith::seepage

@@ -20,12 +20,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace percolith::simulation {
 namespace {
 
 using mesh::Index;
+
+/// What helps where a steady start would need suction: motion has no implicit scheme, and the voids
+/// of cracks can always empty.
+constexpr std::string_view way_out_of_suction =
+    "Start from initial.pressure or initial.water_table in place of initial.steady, or take out "
+    "less at time 0: a schedule may begin with 0 and rise later";
 
 /// Biot coefficient of each region of the mesh.
 std::vector<double> biot_of_regions(const Setup& setup, const mesh::Mesh& mesh) {
@@ -55,7 +63,7 @@ WaterRun make_water(const Setup& setup, const mesh::GmshMesh& mesh) {
   require_datum(setup, model);
   if (setup.initial.steady) {
     Execution serial(Backend::serial);
-    seepage::solve_steady(model, serial);
+    seepage::solve_steady(model, serial, way_out_of_suction);
   }
   std::map<std::string, Index> drainage;
   for (const auto& [name, excavation] : setup.excavation) {
@@ -91,7 +99,6 @@ public:
     water_.in_place_at_start = seepage::fluid_in_place(water_.model, run_.execution);
     const auto more = model_warnings(setup, water_.model);
     run_.summary.warnings.insert(run_.summary.warnings.end(), more.begin(), more.end());
-    warn_of_biot(setup);
     if (is_slow_) {
       choose_flow_step(setup.time);
       scheme_ = std::make_unique<coupling::QuasiStatic>(
@@ -147,6 +154,7 @@ protected:
     return coupled_history_row(run_, water_, scheme_->leaked(), step_size);
   }
   void take_out(const Digging& digging) override;
+  bool has_settled() override;
   void describe_state(StateArchive& archive) override;
   void require_valid() const override;
   [[nodiscard]] std::int64_t iterations() const override { return scheme_->iterations(); }
@@ -155,7 +163,6 @@ private:
   [[nodiscard]] double longest_pore_step() const { return run_.setup.time.safety * limit_.pores(); }
   void choose_flow_step(const Stepping& time);
   void judge_flow_step(double dt);
-  void warn_of_biot(const Setup& setup);
   void warn_of_pore_steps();
   /// Explicit steps of the pores in each of the motion.
   [[nodiscard]] double pore_steps() const {
@@ -171,18 +178,21 @@ private:
   double flow_step_ = 0.0;          // s: of a quasi-static run
   double longest_flow_step_ = 0.0;  // s
   bool is_fixed_ = false;           // whether all its steps are equal
+  // Per vertex: pressure in the cracks when rest was looked for last, Pa.
+  std::vector<double> checked_pressure_ = std::vector<double>(water_.model.mesh.vertex.size(), 0.0);
 };
 
-void CoupledTask::warn_of_biot(const Setup& setup) {
-  for (const auto& [name, material] : setup.material) {
-    const double alpha = material.biot_coefficient;
-    if (alpha < material.rock.porosity || alpha > 1.0) {
-      run_.summary.warnings.push_back(fmt::format(
-          "material.{}.biot_coefficient = {:g} is outside of the range from the porosity, {:g}, to "
-          "1 that a rock of solid grains has",
-          name, alpha, material.rock.porosity));
-    }
+/// The pressures in the cracks change by less than the share of the largest that counts as rest.
+bool CoupledTask::has_settled() {
+  const std::vector<double>& now = water_.model.state.crack_pressure;
+  double most = 0.0;
+  double change = 0.0;
+  for (const Index v : water_.model.cracks.open_nodes()) {
+    most = std::max(most, std::abs(now[at(v)]));
+    change = std::max(change, std::abs(now[at(v)] - checked_pressure_[at(v)]));
   }
+  checked_pressure_ = now;
+  return change <= run_.setup.time.stop_ratio.value_or(0.0) * most;
 }
 
 void CoupledTask::warn_of_pore_steps() {
@@ -240,6 +250,7 @@ void CoupledTask::describe_state(StateArchive& archive) {
   }
   archive("scheme", *scheme_);
   archive("flow_step", flow_step_);
+  archive("checked_pressure", checked_pressure_);
   limit_now_ = limit_.motion(model_);
 }
 

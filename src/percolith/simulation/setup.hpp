@@ -158,6 +158,7 @@ struct Excavation {
   double start = 0.0;                ///< s
   double duration = 0.0;             ///< s
   double pressure = 0.0;             ///< Pa: of the fluid at the new walls from the start on
+  bool pressurised = true;           ///< this pressure acts on the rock of the walls as well
   friend bool operator==(const Excavation&, const Excavation&) = default;
 };
 

@@ -104,7 +104,8 @@ SolidTask::SolidTask(const Setup& setup, SolidRun run)
   step_ = solid_step(run_);
   for (const auto& [name, excavation] : setup.excavation) {
     diggings_.push_back({name, excavation.start, excavation.duration,
-                         triangles_of(run_.dynamics.model().mesh, name, excavation)});
+                         triangles_of(run_.dynamics.model().mesh, name, excavation),
+                         excavation.pressurised ? excavation.pressure : 0.0});
     quiet_after_ = std::max(quiet_after_, excavation.start + excavation.duration);
   }
   std::stable_sort(diggings_.begin(), diggings_.end(),
@@ -167,7 +168,8 @@ bool SolidTask::is_at_rest() {
       run_.dynamics.supports().moves(time()) || next_break(time()) < run_.setup.time.end) {
     return false;
   }
-  const bool calm = run_.dynamics.unbalanced_ratio() < *run_.setup.time.stop_ratio;
+  const bool settled = has_settled();
+  const bool calm = settled && run_.dynamics.unbalanced_ratio() < *run_.setup.time.stop_ratio;
   calm_checks_ = calm ? calm_checks_ + 1 : 0;
   return calm_checks_ >= checks_at_rest;
 }

@@ -18,6 +18,7 @@ struct Digging {
   double start = 0.0;                  ///< s
   double duration = 0.0;               ///< s
   std::vector<mesh::Index> triangles;  ///< that are taken out
+  double pressure = 0.0;               ///< Pa, on the rock of the walls they leave
 };
 
 /// A rock ready to move, and the loop over its steps, outputs and history. Physics that adds to the
@@ -50,8 +51,10 @@ protected:
   [[nodiscard]] virtual double next_break(double t) const;
   /// Takes out what an excavation says.
   virtual void take_out(const Digging& digging) {
-    run_.dynamics.take_out(digging.triangles, digging.duration);
+    run_.dynamics.take_out(digging.triangles, digging.duration, digging.pressure);
   }
+  /// Whether all but the rock has come to rest since this was asked last.
+  virtual bool has_settled() { return true; }
   /// Puts the clock on `t` (s), from which it differs by round-off.
   virtual void set_time(double t) { run_.dynamics.model().motion.time = t; }
   [[nodiscard]] virtual Frame frame() const;

@@ -106,7 +106,7 @@ private:
       group.fracture.minimum_aperture = flip() ? 0.0 : positive();
       group.fracture.maximum_aperture = flip() ? std::numeric_limits<double>::infinity()
                                                : group.fracture.minimum_aperture + positive();
-      if (flip()) {
+      if (std::isinf(group.fracture.maximum_aperture) && flip()) {
         group.fracture.transmissivity = positive();
       }
       group.fracture.exchange = positive();

@@ -59,7 +59,7 @@ TEST(Resolved, NamesEveryOption) {
       resolved_toml(read(mechanics_case + "[in_situ]\ngradient_yy = 1\n"
                                           "[body.a]\nregions = [\"rock\"]\nrigid = true\n"
                                           "[point_force.a]\npoint = [0, 0]\nforce_x = 1\n"
-                                          "[excavation.a]\nregions = [\"rock\"]\n")
+                                          "[excavation.a]\nregions = [\"core\"]\n")
                         .setup);
   const std::string coupled = resolved_toml(read(coupled_case).setup);
   for (const std::string& option : option_paths()) {
@@ -162,8 +162,7 @@ TEST(Reference, IsTheCommittedPage) {
 
 TEST(Reference, TellsWhichPhysicsAnOptionBelongsTo) {
   const std::string page = reference_markdown();
-  EXPECT_THAT(page,
-              HasSubstr("Volume of pores over volume of rock. *In seepage and coupled only.* |\n"));
+  EXPECT_THAT(page, HasSubstr("flows as in a porous rock. *In seepage and coupled only.* |\n"));
   EXPECT_THAT(
       page,
       HasSubstr("Whether the boundary stays where it is. *In mechanics and coupled only.* |\n"));

@@ -9,11 +9,12 @@
 namespace percolith::case_file {
 namespace {
 
-/// The guide to case files in three parts: its sections on mechanics and on coupled cases, and the
-/// rest.
+/// The guide to case files in parts: its sections on mechanics, on coupled cases and on slow
+/// injection, and the rest.
 struct Guide {
   std::string mechanics;
   std::string coupling;
+  std::string slow_injection;
   std::string rest;
 };
 
@@ -32,6 +33,9 @@ Guide guide() {
   parts.rest.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
   parts.mechanics = take_section(parts.rest, "Mechanics");
   parts.coupling = take_section(parts.rest, "Coupled cases");
+  const std::size_t slow = parts.coupling.find("\n### Slow injection\n");
+  parts.slow_injection = parts.coupling.substr(slow);
+  parts.coupling.erase(slow);
   return parts;
 }
 
@@ -102,6 +106,15 @@ TEST(Guide, ItsCoupledCaseIsValidAloneAndWithItsOtherExamples) {
   EXPECT_DOUBLE_EQ(setup.source.at("well").rate->value.back(), -4e-3);
   EXPECT_DOUBLE_EQ(setup.excavation.at("gallery").pressure, 1e5);
   EXPECT_EQ(read(resolved_toml(setup)).setup, setup);
+}
+
+TEST(Guide, ItsCoupledCaseBecomesSlowAsItSays) {
+  std::string text = blocks_of("toml", guide().coupling).at(0);
+  const std::size_t time = text.find("[time]\n");
+  ASSERT_EQ(text.substr(time), "[time]\nend = \"10 ms\"\n");
+  text.replace(time, std::string::npos, blocks_of("toml", guide().slow_injection).at(0));
+  EXPECT_EQ(error_of(text), "");
+  EXPECT_EQ(read(text).setup.time.scheme, simulation::Scheme::quasi_static);
 }
 
 TEST(Guide, ItsErrorsAreThoseOfTheProgram) {

@@ -39,6 +39,11 @@ groups = ["fault_1"]
 initial_aperture = "0.1 mm"
 minimum_aperture = "0.01 mm"
 maximum_aperture = "1 mm"
+exchange = "inf"
+
+[fracture.vein]
+groups = ["vein_1"]
+initial_aperture = "0.1 mm"
 transmissivity = 1e-12
 exchange = "inf"
 
@@ -118,7 +123,8 @@ TEST(ReadCase, FillsEveryMember) {
   EXPECT_DOUBLE_EQ(fault.initial_aperture, 1e-4);
   EXPECT_DOUBLE_EQ(fault.minimum_aperture, 1e-5);
   EXPECT_DOUBLE_EQ(fault.maximum_aperture, 1e-3);
-  EXPECT_EQ(fault.transmissivity, 1e-12);
+  EXPECT_EQ(fault.transmissivity, std::nullopt);
+  EXPECT_EQ(setup.fracture.at("vein").fracture.transmissivity, 1e-12);
   EXPECT_EQ(fault.exchange, infinity);
 }
 

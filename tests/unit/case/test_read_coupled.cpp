@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/case/documents.hpp"
+
 #include <gmock/gmock.h>
 
 #include "unit/case/mechanics_case.hpp"
@@ -72,6 +74,94 @@ TEST(ReadCoupled, OnlyImplicitPoresShareThePressureOfACrack) {
             "\"implicit\"");
   EXPECT_EQ(coupled_error({"new_cracks.exchange=inf", "time.pore_flow=implicit"}), "");
   EXPECT_EQ(coupled_error({"new_cracks.exchange=inf", "time.scheme=quasi_static"}), "");
+}
+
+TEST(ReadCoupled, CracksPressedShutKeepSomeRoom) {
+  const auto least = [](const std::vector<std::string>& overrides) {
+    const simulation::Setup setup = read(coupled_case, overrides).setup;
+    EXPECT_EQ(read(resolved_toml(setup)).setup, setup);
+    return setup.new_cracks->fracture.minimum_aperture;
+  };
+  EXPECT_DOUBLE_EQ(least({}), 1e-5);
+  EXPECT_DOUBLE_EQ(least({"new_cracks.minimum_aperture=2e-6"}), 2e-6);
+  EXPECT_DOUBLE_EQ(least({"new_cracks.maximum_aperture=3e-6"}), 3e-6);
+  EXPECT_DOUBLE_EQ(least({"new_cracks.closure_stress=\"10 MPa\""}), 1e-6);
+  const auto fault =
+      read(coupled_case, {"fracture.fault.groups=[\"fault\"]",
+                          "fracture.fault.initial_aperture=1e-3", "fracture.fault.exchange=1e-9"})
+          .setup.fracture.at("fault");
+  EXPECT_DOUBLE_EQ(fault.fracture.minimum_aperture, 1e-4);
+  EXPECT_EQ(coupled_error({"new_cracks.minimum_aperture=0"}),
+            "--set: error: new_cracks.minimum_aperture = 0: fluid in a crack that is pressed shut "
+            "would have no room; allowed: > 0 m where rock moves");
+}
+
+TEST(ReadCoupled, RestNeedsAPumpThatStops) {
+  const auto error = [](const std::string& rate) {
+    return coupled_error({"time.stop_ratio=1e-3", "source.pump.point=[0, 0]", rate});
+  };
+  EXPECT_EQ(error("source.pump.rate=1"),
+            "--set: error: time.stop_ratio = 0.001: fluid still flows by source.pump.rate when the "
+            "run ends, so it never comes to rest; allowed: a schedule that ends with 0 there, or "
+            "time.end alone");
+  EXPECT_EQ(error("source.pump.rate={ times = [0, 1e-3], values = [1, 0] }"), "");
+  EXPECT_THAT(coupled_error({"time.stop_ratio=1e-3", "boundary.base.flux=1e-6"}),
+              HasSubstr("fluid still flows by boundary.base.flux"));
+}
+
+TEST(ReadCoupled, OptionsOfCracksNeedCracks) {
+  const std::string elastic = "material.rock.joints=elastic";
+  std::vector<std::string> whole{elastic, "new_cracks="};
+  for (const char* const strength :
+       {"tensile_strength", "cohesion", "friction_angle", "mode_1_energy", "mode_2_energy"}) {
+    whole.push_back(std::string("material.rock.") + strength + "=");
+  }
+  const auto error = [&](std::vector<std::string> overrides) {
+    overrides.insert(overrides.end(), whole.begin(), whole.end());
+    return coupled_error(overrides);
+  };
+  EXPECT_EQ(error({}), "");
+  const std::string needs = "has no effect here: it needs a rock with joints = \"breakable\"";
+  EXPECT_THAT(error({"model.fluid_enters=softening"}),
+              HasSubstr("fluid_enters = \"softening\": " + needs));
+  EXPECT_THAT(error({"model.joint_stress=total"}), HasSubstr("joint_stress = \"total\": " + needs));
+  whole[1] = "model.gravity=0";
+  EXPECT_THAT(error({}), HasSubstr("new_cracks: " + needs));
+}
+
+TEST(ReadCoupled, LimitsOfTheApertureNeedWhatTheyLimit) {
+  EXPECT_THAT(coupled_error({"model.crack_storage=clamped"}),
+              HasSubstr("it needs a fracture or new cracks with a finite maximum_aperture"));
+  const std::vector<std::string> limits{"new_cracks.maximum_aperture=1e-3",
+                                        "new_cracks.transmissivity=1e-15"};
+  EXPECT_THAT(coupled_error(limits),
+              HasSubstr("new_cracks.maximum_aperture = 0.001: has no effect here: it needs the "
+                        "cubic law, or model.crack_storage = \"clamped\""));
+  EXPECT_EQ(coupled_error({limits[0], limits[1], "model.crack_storage=clamped"}), "");
+  EXPECT_EQ(coupled_error({limits[0], "model.crack_storage=clamped"}), "");
+}
+
+TEST(ReadCoupled, AnOpeningHasRockRoundIt) {
+  EXPECT_EQ(coupled_error({"excavation.all.regions=[\"rock\"]"}),
+            "--set: error: excavation.all.regions = [\"rock\"]: leaves no rock: every region of "
+            "every material is taken out; allowed: regions that are a part of the model");
+  const std::vector<std::string> core{"material.rock.regions=[\"rock\", \"core\"]",
+                                      "excavation.core.regions=[\"core\"]",
+                                      "excavation.core.pressurised=false"};
+  EXPECT_THAT(coupled_error(core), HasSubstr("it needs a pressure other than 0"));
+  EXPECT_EQ(coupled_error({core[0], core[1], core[2], "excavation.core.pressure=1e5"}), "");
+}
+
+TEST(ReadCoupled, WarnsOfAnUnusualBiotCoefficientWithItsPlace) {
+  EXPECT_TRUE(read(coupled_case).warnings.empty());
+  std::string low = coupled_case;
+  const std::string porosity = "porosity = 0.1\n";
+  low.replace(low.find(porosity), porosity.size(), porosity + "biot_coefficient = 0.05\n");
+  const std::vector<std::string> warnings = read(low).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0],
+            "case.toml:15:20: warning: material.rock.biot_coefficient = 0.05 is outside of the "
+            "range from the porosity, 0.1, to 1 that a rock of solid grains has");
 }
 
 TEST(ReadCoupled, KeepsItsOptionsFromTheHalves) {

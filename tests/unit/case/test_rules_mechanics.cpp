@@ -372,7 +372,7 @@ TEST(RulesOfMechanics, InSituStress) {
 }
 
 TEST(RulesOfMechanics, Excavations) {
-  EXPECT_EQ(mechanics_error({"excavation.a={regions=[\"rock\"], start=\"9 ms\", duration=1}"}), "");
+  EXPECT_EQ(mechanics_error({"excavation.a={regions=[\"r\"], start=\"9 ms\", duration=1}"}), "");
   EXPECT_EQ(mechanics_error({"excavation.a={start=0}"}),
             "--set: error: excavation.a.regions: required but missing: Physical surfaces of the "
             "mesh that are taken out.");

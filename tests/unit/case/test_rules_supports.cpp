@@ -89,6 +89,22 @@ TEST(Supports, OnlySomeContradictEachOther) {
   }
 }
 
+/// The fluid that presses on a boundary is its load, as normal_pressure is.
+TEST(Supports, FluidThatPressesStandsForTheTraction) {
+  const std::vector<std::string> wall{"in_situ.stress_xx=1", "boundary.wall.pressurised=true"};
+  for (const Pair& support : supports) {
+    std::vector<std::string> overrides = wall;
+    overrides.push_back("boundary.wall." + support.first + " = " + support.second);
+    const bool moves =
+        support.first.find("velocity") == 0 || support.first.find("displacement") == 0;
+    if (moves || support.first == "absorbing") {
+      EXPECT_EQ(coupled_error(overrides), "") << support.first;
+    } else {
+      EXPECT_THAT(coupled_error(overrides), testing::HasSubstr("contradicts \"")) << support.first;
+    }
+  }
+}
+
 TEST(Supports, ABoundaryHasOneAtLeast) {
   const std::string missing =
       "a support or a load is missing; allowed: one or more of \"fixed\", \"roller\", "

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/coupling/drainage.hpp"
+#include "percolith/coupling/fluid_stiffness.hpp"
 #include "percolith/mechanics/build.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
+#include <vector>
 
 #include "unit/support/coupled_model.hpp"
 
@@ -214,6 +218,93 @@ TEST(Drainage, LetsTheFluidOutOfWhatIsTakenOut) {
   }
   EXPECT_LT(coupled.water().let_in[at(number)].total(), 0.0);
   EXPECT_LT(coupled.mass_error(), 1e-14);
+}
+
+/// Rock under a total stress of -1 MPa, as its pores have it and everything round it.
+CoupledOptions afloat() {
+  constexpr double pressure = 1e6;
+  CoupledOptions options = test::squeezed();
+  options.solid.joints = mechanics::JointState::bonded;
+  options.prepare_rock = [](mechanics::Model& rock) {
+    mechanics::set_initial_stress(rock, [](Point) { return Tensor{-pressure, -pressure, 0.0}; });
+  };
+  options.prepare_water = [](seepage::Model& water) {
+    seepage::set_pores(water, [](const Point&) {
+      return seepage::FluidState<double>{pressure, 1.0};
+    });
+  };
+  options.loads = [](const mechanics::Model& rock) {
+    mechanics::LoadList loads;
+    std::vector<Index> edges(rock.mesh.boundary.size());
+    std::iota(edges.begin(), edges.end(), 0);
+    loads.pressure.push_back({edges, Schedule::constant(pressure)});
+    return loads;
+  };
+  return options;
+}
+
+/// Largest displacement of rock that is left, m, once an opening filled with fluid of that
+/// pressure (Pa) has been made.
+double moved_by_opening(double pressure, mechanics::JointState joints) {
+  CoupledOptions options = afloat();
+  options.solid.joints = joints;
+  Coupled coupled(test::make_grid(grid), options);
+  std::vector<Index> opening;
+  for (Index t = 0; t < coupled.water().mesh.triangles(); ++t) {
+    const Point c = test::centroid(coupled.water().mesh, t);
+    if (std::max(std::abs(c.x - 0.5), std::abs(c.y - 0.5)) < 0.2) {
+      opening.push_back(t);
+    }
+  }
+  const Index number = add_drainage(coupled.water(), "excavation.opening", 1e6);
+  coupled.advance(1);
+  coupled.rock().take_out(opening, 1e-3, pressure);
+  drain(coupled.model(), opening, number);
+  coupled.step().network_changed();
+  while (coupled.water().state.time < 1.5e-3) {
+    coupled.advance(1);
+  }
+  if (pressure != 1e6) {  // what is at rest has no energy to compare with
+    EXPECT_LT(coupled.energy_error(), 1e-2);
+  }
+  double most = 0.0;
+  test::for_each_corner(coupled.rock().model().mesh, [&](Index, Index c) {
+    most = std::max(most, test::distance(test::displacement(coupled.rock().model(), c), {}));
+  });
+  return most;
+}
+
+TEST(Drainage, FluidInAnOpeningTakesThePlaceOfTheRock) {
+  for (const auto joints : {mechanics::JointState::bonded, mechanics::JointState::tied}) {
+    const double bare = moved_by_opening(0.0, joints);
+    EXPECT_GT(bare, 1e-5);
+    EXPECT_LT(moved_by_opening(1e6, joints), 1e-6 * bare);
+    EXPECT_NEAR(moved_by_opening(2e6, joints), bare, 0.05 * bare) << "the other way";
+  }
+}
+
+/// The forces on all faces round a crack node where three joints meet, once one corner has moved.
+TEST(StepLimit, CountsAllFacesThatACornerPressesThroughTheFluid) {
+  constexpr double bulk_modulus = 2.2e9;
+  constexpr double aperture = 3e-5;
+  const std::vector<double> lengths{0.02, 0.05, 0.03};
+  double volume = 0.0;
+  for (const double length : lengths) {
+    volume += 0.5 * length * aperture;
+  }
+  constexpr double moved = 1e-9;
+  for (const double length : lengths) {
+    const double pressure = bulk_modulus * (0.5 * length * moved) / volume;
+    double force = 0.0;
+    for (const double other : lengths) {
+      force += 2.0 * (0.5 * other * pressure);  // on both its faces
+    }
+    EXPECT_NEAR(fluid_stiffness(length, 0.1, bulk_modulus, volume), force / moved,
+                1e-12 * force / moved);
+    EXPECT_NEAR(fluid_stiffness(length, 2.0 * length, bulk_modulus, length * aperture),
+                bulk_modulus * length / aperture, 1e-12 * bulk_modulus * length / aperture)
+        << "in a straight crack of equal joints";
+  }
 }
 
 /// A step twice the limit is unstable where the fluid rules it, one just below is not.

@@ -290,7 +290,7 @@ TEST(Checkpoints, RockThatFluidBreaksGoesOnToTheSameBits) {
     setup.boundary["left"].seepage_face = Schedule::constant(0.0);
     setup.boundary["right"] = test::on("right");
     setup.boundary["right"].fixed = true;
-    setup.excavation["hole"] = {{"middle"}, 3e-4, 1e-4};
+    setup.excavation["hole"] = {{"middle"}, 3e-4, 1e-4, 1e5};
     setup.time.scheme = Scheme::explicit_;
     setup.time.end = 6e-4;
     setup.time.safety = 0.5;

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "unit/support/solid_setup.hpp"
+
+namespace percolith::simulation {
+namespace {
+
+using test::value_of;
+
+const test::Grid grid{.columns = 6, .rows = 6};
+
+mesh::GmshMesh notched() {
+  mesh::GmshMesh mesh = test::make_grid(grid);
+  test::add_row_curve(grid, mesh, "notch", 3, 2, 4);
+  return mesh;
+}
+
+/// A pump at a notch inside of an elastic block that fluid cannot leave.
+Setup pumped() {
+  Setup setup = test::solid_setup();
+  setup.model.physics = Physics::coupled;
+  setup.time.scheme = Scheme::explicit_;
+  Material& rock = setup.material["sandstone"];
+  rock.joints = RockJoints::elastic;
+  rock.rock.permeability = {1e-13, 1e-13, 0.0};
+  rock.rock.porosity = 0.2;
+  material::Fracture& notch = setup.fracture["notch"].fracture;
+  setup.fracture["notch"].groups = {"notch"};
+  notch.initial_aperture = 1e-3;
+  notch.minimum_aperture = 1e-4;
+  notch.exchange = 1e-8;
+  setup.source["pump"].fractures = {"notch"};
+  setup.boundary["rim"] = test::on("left");
+  setup.boundary["rim"].fixed = true;
+  setup.damping.local = 0.2;
+  setup.time.end = 3e-3;
+  setup.output.fields = false;
+  return setup;
+}
+
+/// The row of the history nearest to a time, s.
+const HistoryRow& row_at(const std::vector<HistoryRow>& history, double time) {
+  return *std::min_element(history.begin(), history.end(),
+                           [&](const HistoryRow& a, const HistoryRow& b) {
+                             return std::abs(a.time - time) < std::abs(b.time - time);
+                           });
+}
+
+TEST(CoupledRuns, AWellIsShutInAndFlowsBack) {
+  simulation::Setup setup = pumped();
+  setup.source["pump"].rate = {
+      {0.0, 1e-3, 1.001e-3, 2e-3, 2.001e-3}, {2e-2, 2e-2, 0.0, 0.0, -1e-2}, Interpolation::linear};
+  test::SolidRecorder recorder;
+  const Summary summary = test::run(setup, notched(), recorder);
+  const auto injected = [&](double time) {
+    return value_of(row_at(recorder.history, time).mechanics, "source.pump.volume_m2");
+  };
+  const auto pressure = [&](double time) {
+    return row_at(recorder.history, time).maximum_crack_pressure;
+  };
+  // The integral of the schedule; a step takes the rate at its end.
+  const double pumped_in = 2e-2 * 1e-3 + 0.5 * 2e-2 * 1e-6;
+  EXPECT_NEAR(injected(1.1e-3), pumped_in, 1e-3 * pumped_in);
+  EXPECT_EQ(injected(1.1e-3), injected(2e-3));
+  EXPECT_NEAR(injected(3e-3), pumped_in - 1e-2 * 0.9995e-3, 1e-3 * pumped_in);
+  EXPECT_GT(pressure(1e-3), pressure(1.9e-3));
+  EXPECT_GT(pressure(1.9e-3), pressure(2.9e-3));
+  EXPECT_LT(row_at(recorder.history, 3e-3).balance.relative_error, 1e-13);
+  EXPECT_EQ(summary.end_time, 3e-3);
+}
+
+/// Fluid leaves the cracks through their faces alone, and stays in the pores: what they hold more
+/// than at the start is the integral of the flows through all faces.
+TEST(CoupledRuns, WhatLeaksIsWhatThePoresHoldMore) {
+  simulation::Setup setup = pumped();
+  setup.source["pump"].rate = Schedule::constant(2e-2);
+  test::SolidRecorder recorder;
+  (void)test::run(setup, notched(), recorder);
+  const HistoryRow& first = recorder.history.front();
+  const double in_cracks_at_first = value_of(first.mechanics, "crack_fluid_m2");
+  const double in_pores_at_first = first.balance.in_place - in_cracks_at_first;
+  ASSERT_EQ(value_of(first.mechanics, "leaked_m2"), 0.0);
+  for (const HistoryRow& row : recorder.history) {
+    const double in_pores = row.balance.in_place - value_of(row.mechanics, "crack_fluid_m2");
+    EXPECT_NEAR(value_of(row.mechanics, "leaked_m2"), in_pores - in_pores_at_first,
+                1e-13 * in_pores);
+  }
+  const HistoryRow& last = recorder.history.back();
+  const double leaked = value_of(last.mechanics, "leaked_m2");
+  EXPECT_GT(leaked, 0.01 * last.balance.in);
+  EXPECT_LT(leaked, last.balance.in);
+}
+
+TEST(CoupledRuns, NothingRestsWhileAPumpRuns) {
+  simulation::Setup setup = pumped();
+  setup.time.stop_ratio = 5e-2;
+  setup.damping.local = 0.7;
+  setup.time.end = 5e-3;
+  setup.source["pump"].rate = Schedule::constant(1e-3);
+  test::SolidRecorder running;
+  EXPECT_FALSE(test::run(setup, notched(), running).reached_rest);
+  // The same well shut in comes to rest once its pressure has fallen to that of the rock.
+  setup.fracture["notch"].fracture.exchange = 1e-6;
+  setup.source["pump"].rate = {{0.0, 1e-4}, {1e-2, 0.0}, Interpolation::linear};
+  setup.time.end = 1.0;
+  test::SolidRecorder shut_in;
+  const Summary summary = test::run(setup, notched(), shut_in);
+  EXPECT_TRUE(summary.reached_rest);
+  EXPECT_LT(summary.end_time, 1.0);
+}
+
+/// A notch that the sides press shut.
+simulation::Setup squeezed_shut(double minimum_aperture) {
+  simulation::Setup setup = pumped();
+  setup.source.clear();
+  setup.fracture["notch"].fracture.initial_aperture = 5e-6;
+  setup.fracture["notch"].fracture.minimum_aperture = minimum_aperture;
+  setup.fracture["notch"].fracture.exchange = 1e-9;
+  setup.boundary["rim"] = test::on("bottom");
+  setup.boundary["rim"].fixed = true;
+  setup.boundary["top"] = test::on("top");
+  setup.boundary["top"].normal_pressure = {{0.0, 5e-4}, {0.0, 2e8}, Interpolation::linear};
+  setup.time.end = 1e-3;
+  return setup;
+}
+
+TEST(CoupledRuns, ACrackPressedShutKeepsItsLeastRoom) {
+  test::SolidRecorder recorder;
+  const Summary summary = test::run(squeezed_shut(5e-7), notched(), recorder);
+  EXPECT_EQ(summary.end_time, 1e-3);
+  const HistoryRow& last = recorder.history.back();
+  // Of its two joints the ends in the middle are shut, those at the tips cannot close.
+  const double half = 0.5 * value_of(last.mechanics, "crack_length_m");
+  EXPECT_NEAR(value_of(last.mechanics, "crack_volume_m2"), half * (5e-7 + 5e-6), 1e-12);
+  EXPECT_LT(last.balance.relative_error, 1e-13);
+}
+
+TEST(CoupledRuns, ACrackWithoutAnyRoomIsNamed) {
+  test::SolidRecorder recorder;
+  try {
+    (void)test::run(squeezed_shut(0.0), notched(), recorder);
+    FAIL() << "fluid without room was computed";
+  } catch (const SolverError& error) {
+    const std::string said = error.what();
+    EXPECT_NE(said.find("the crack node with the least room, an aperture of"), std::string::npos)
+        << said;
+    EXPECT_NE(said.find("minimum_aperture"), std::string::npos) << said;
+  }
+}
+
+TEST(CoupledRuns, ASteadyStartWithTooMuchSuctionTellsWhatHelps) {
+  simulation::Setup setup = pumped();
+  setup.initial.steady = true;
+  setup.source["pump"].rate = Schedule::constant(-1e-2);
+  setup.boundary["drain"] = test::on("right");
+  setup.boundary["drain"].pressure = Schedule::constant(1e5);
+  test::SolidRecorder recorder;
+  try {
+    (void)test::run(setup, notched(), recorder);
+    FAIL() << "suction below the cavitation pressure was found";
+  } catch (const SolverError& error) {
+    const std::string said = error.what();
+    EXPECT_NE(said.find("the rock would drain there. Start from initial.pressure"),
+              std::string::npos)
+        << said;
+    EXPECT_EQ(said.find("time.scheme"), std::string::npos) << said;
+  }
+}
+
+}  // namespace
+}  // namespace percolith::simulation
