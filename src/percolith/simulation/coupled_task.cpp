@@ -66,15 +66,11 @@ WaterRun make_water(const Setup& setup, const mesh::GmshMesh& mesh) {
 }
 
 /// What the motion takes of a setup. In a quasi-static run it only finds the balance of forces: its
-/// step is its own, and damping takes out what it swings.
+/// step is its own.
 Setup setup_of_motion(const Setup& setup) {
-  constexpr double damping = 0.7;
   Setup motion = setup;
   if (setup.time.scheme == Scheme::quasi_static) {
     motion.time.step.reset();
-    if (setup.damping == Damping{}) {
-      motion.damping.local = damping;
-    }
   }
   return motion;
 }
@@ -96,7 +92,7 @@ public:
       choose_flow_step(setup.time);
       scheme_ = std::make_unique<coupling::QuasiStatic>(
           model_,
-          coupling::QuasiStaticOptions{setup.time.tolerance, setup.time.balance_tolerance, step_});
+          coupling::QuasiStaticOptions{setup.time.tolerance, balance_tolerance(setup.time), step_});
     } else {
       scheme_ = std::make_unique<coupling::CoupledStep>(model_, longest_pore_step());
     }
