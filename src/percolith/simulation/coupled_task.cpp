@@ -27,6 +27,15 @@ namespace {
 
 using mesh::Index;
 
+// Steps of a quasi-static run, unless told: the longest and the first one fit so often into it.
+constexpr double least_steps_of_a_run = 20.0;
+constexpr double first_steps_of_a_run = 100.0;
+// Steps that take many iterations are too long, those that take few too short.
+constexpr int few_iterations = 8;
+constexpr int many_iterations = 25;
+constexpr double step_growth = 1.5;
+constexpr double step_shrinkage = 0.5;
+
 /// Biot coefficient of each region of the mesh.
 std::vector<double> biot_of_regions(const Setup& setup, const mesh::Mesh& mesh) {
   std::vector<double> biot;
@@ -104,12 +113,21 @@ public:
 protected:
   mechanics::Changes advance(double dt) override {
     mechanics::Changes changes = scheme_->advance(dt, run_.execution);
+    if (gave_up()) {
+      return changes;
+    }
     if (is_slow_) {
       judge_flow_step(dt);
     } else {
       limit_now_ = limit_.motion(model_);
     }
     return changes;
+  }
+  void listen(const std::function<bool()>& stop) override { scheme_->listen(stop); }
+  [[nodiscard]] bool gave_up() const override { return scheme_->gave_up(); }
+  /// A quasi-static step goes far.
+  [[nodiscard]] std::int64_t steps_between_checks() const override {
+    return is_slow_ ? 1 : SolidTask::steps_between_checks();
   }
   [[nodiscard]] double longest_step() const override {
     return is_slow_ ? flow_step_ : std::min(step_, run_.setup.time.safety * limit_now_);
@@ -175,25 +193,23 @@ void CoupledTask::warn_of_biot(const Setup& setup) {
 
 void CoupledTask::choose_flow_step(const Stepping& time) {
   is_fixed_ = time.step.has_value();
-  longest_flow_step_ = time.step.value_or(time.maximum_step.value_or(time.end / 20.0));
-  flow_step_ = is_fixed_
-                   ? longest_flow_step_
-                   : std::min(time.initial_step.value_or(time.end / 100.0), longest_flow_step_);
+  longest_flow_step_ =
+      time.step.value_or(time.maximum_step.value_or(time.end / least_steps_of_a_run));
+  flow_step_ = is_fixed_ ? longest_flow_step_
+                         : std::min(time.initial_step.value_or(time.end / first_steps_of_a_run),
+                                    longest_flow_step_);
 }
 
-/// Steps that take many iterations are too long, those that take few too short.
 void CoupledTask::judge_flow_step(double dt) {
-  constexpr int few = 8;
-  constexpr int many = 25;
   run_.summary.iterations += scheme_->iterations();
   run_.summary.rejected_steps += scheme_->parts() - 1;
   if (is_fixed_) {
     return;
   }
-  if (scheme_->parts() > 1 || scheme_->iterations() > many) {
-    flow_step_ = std::min(flow_step_, 0.5 * dt);
-  } else if (scheme_->iterations() < few) {
-    flow_step_ = std::min(1.5 * flow_step_, longest_flow_step_);
+  if (scheme_->parts() > 1 || scheme_->iterations() > many_iterations) {
+    flow_step_ = std::min(flow_step_, step_shrinkage * dt);
+  } else if (scheme_->iterations() < few_iterations) {
+    flow_step_ = std::min(step_growth * flow_step_, longest_flow_step_);
   }
 }
 
@@ -226,10 +242,12 @@ CheckReport CoupledTask::check() const {
   const CheckReport flow = make_check_report(run_.setup, water_.model, {});
   report.pore_nodes = flow.pore_nodes;
   report.crack_nodes = flow.crack_nodes;
-  report.unknowns = flow.crack_nodes;
-  report.mechanics.emplace_back(
-      "explicit steps of the pores per step of the motion",
-      static_cast<std::int64_t>(std::ceil(longest_step() / longest_pore_step())));
+  report.unknowns = is_slow_ ? flow.unknowns : flow.crack_nodes;
+  if (!is_slow_) {
+    report.mechanics.emplace_back(
+        "explicit steps of the pores per step of the motion",
+        static_cast<std::int64_t>(std::ceil(longest_step() / longest_pore_step())));
+  }
   if (limit_now_ < limit_.rock() && !report.limits.empty()) {
     // The stiffness of the fluid adds to all others.
     report.limits.back().step = limit_now_;
