@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "unit/support/setup.hpp"
+#include "unit/support/solid_setup.hpp"
 
 namespace percolith::simulation {
 namespace {
@@ -48,6 +49,25 @@ TEST(CheckReport, WarnsOfSlenderTriangles) {
   ASSERT_EQ(report.warnings.size(), 1u);
   EXPECT_EQ(report.warnings[0].rfind("the smallest angle of the mesh is 5.7 degree, at (", 0), 0u)
       << report.warnings[0];
+}
+
+/// The implicit flow of a quasi-static run has no steps of its own, and solves for all nodes.
+TEST(CheckReport, OfSlowInjectionTellsOfNoExplicitFlow) {
+  simulation::Setup setup = test::solid_setup();
+  setup.model.physics = Physics::coupled;
+  setup.fracture["level"] = test::fracture_group("level", 1e-4, 1e-9);
+  setup.new_cracks = NewCracks{};
+  const std::string name = "explicit steps of the pores per step of the motion";
+  const auto tells = [&](const CheckReport& report) {
+    return std::any_of(report.mechanics.begin(), report.mechanics.end(),
+                       [&](const auto& value) { return value.first == name; });
+  };
+  setup.time.scheme = Scheme::explicit_;
+  EXPECT_TRUE(tells(Simulation(setup, test::plain_mesh()).check()));
+  setup.time.scheme = Scheme::quasi_static;
+  const CheckReport report = Simulation(setup, test::plain_mesh()).check();
+  EXPECT_FALSE(tells(report));
+  EXPECT_EQ(report.unknowns, report.pore_nodes + report.crack_nodes);
 }
 
 }  // namespace
