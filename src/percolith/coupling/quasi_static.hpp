@@ -9,7 +9,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace percolith::coupling {
@@ -33,7 +32,7 @@ public:
 
   /// One step, or as many shorter ones as it takes.
   mechanics::Changes advance(double dt, Execution& execution) override;
-  void listen(std::function<bool()> stop) override { stop_ = std::move(stop); }
+  void listen(const std::function<bool()>& stop) override { stop_ = stop; }
   [[nodiscard]] bool gave_up() const override { return gave_up_; }
   void network_changed() override;
   void describe_state(StateArchive& archive) override;

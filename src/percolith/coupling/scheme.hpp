@@ -20,7 +20,7 @@ public:
   /// no solution is found.
   virtual mechanics::Changes advance(double dt, Execution& execution) = 0;
   /// A scheme whose steps take long asks `stop` on the way and gives the step up where it says so.
-  virtual void listen(std::function<bool()> /*stop*/) {}
+  virtual void listen(const std::function<bool()>& /*stop*/) {}
   /// Whether the last step was given up: everything is as it was before it.
   [[nodiscard]] virtual bool gave_up() const { return false; }
   /// To be called when conditions have been added since the last step.

@@ -331,10 +331,13 @@ TEST(Checkpoints, SlowInjectionGoesOnToTheSameBits) {
 
 /// Cracks that have opened since the start belong to what it goes on from.
 TEST(Checkpoints, SlowInjectionThatHasBrokenTheRockGoesOnToTheSameBits) {
-  simulation::Setup setup = slow_injection(1e5, 1e-6);
-  setup.material["sandstone"].strength.mode_1_energy = 1.0;
-  setup.boundary["left"] = test::on("left");
-  setup.boundary["left"].roller = true;
+  simulation::Setup setup = slow_injection(1e5, 2e-5);
+  setup.material["sandstone"].strength.mode_1_energy = 10.0;
+  // Held on all sides, it does not break through.
+  for (const char* const side : {"left", "top", "bottom"}) {
+    setup.boundary[side] = test::on(side);
+    setup.boundary[side].fixed = true;
+  }
   setup.time.end = 60.0;
   setup.time.step = 30.0;
   Keeper whole;
