@@ -66,7 +66,7 @@ def interrupted(program, tmp_path):
     return run
 
 
-@pytest.mark.parametrize("name", ["rock", "water", "pumped"])
+@pytest.mark.parametrize("name", ["rock", "water", "pumped", "slow"])
 @pytest.mark.parametrize("trial", range(3))
 def test_a_killed_run_goes_on_to_the_same_results(percolith, whole, interrupted, name, trial):
     expected, seconds = whole(name)
@@ -78,7 +78,7 @@ def test_a_killed_run_goes_on_to_the_same_results(percolith, whole, interrupted,
     assert outputs(folder) == outputs(expected)
 
 
-@pytest.mark.parametrize("name", ["rock", "water", "pumped"])
+@pytest.mark.parametrize("name", ["rock", "water", "pumped", "slow"])
 def test_a_stopped_run_goes_on_to_the_same_results(percolith, whole, interrupted, name):
     expected, _ = whole(name)
     folder = interrupted(name, signal.SIGTERM)
@@ -93,6 +93,34 @@ def test_a_stopped_run_goes_on_to_the_same_results(percolith, whole, interrupted
     assert found == wanted
     log = (folder / "run.log").read_text()
     assert " runs " in log and "interrupted by SIGTERM" in log and "goes on from" in log
+
+
+def test_a_signal_is_heard_within_a_long_step(program, tmp_path):
+    folder = tmp_path / "out"
+    process = subprocess.Popen(
+        [program, "run", CASES / "slow.toml", "--output", folder, "--set", "time.step=600",
+         "--set", "time.tolerance=1e-8", *QUIET],
+        stderr=subprocess.DEVNULL, env={**os.environ, "OMP_WAIT_POLICY": "passive"})
+    while process.poll() is None and not (folder / "history.csv").exists():
+        time.sleep(0.002)
+    time.sleep(0.3)
+    process.send_signal(signal.SIGTERM)
+    assert process.wait(timeout=20) == 128 + signal.SIGTERM
+    summary = json.loads((folder / "summary.json").read_text())
+    assert (summary["outcome"], summary["end_time_s"]) == ("interrupted", 0)
+    assert (folder / "checkpoint.bin").exists()
+    # The start was reported already.
+    assert len((folder / "history.csv").read_text().splitlines()) == 2
+
+
+def test_a_resolved_case_runs_to_the_same_results(percolith, whole, tmp_path):
+    folder, _ = whole("slow")
+    done = percolith("run", folder / "resolved.toml", "--output", tmp_path / "again", *QUIET)
+    assert done.returncode == 0, done.stderr
+    again, first = outputs(tmp_path / "again"), outputs(folder)
+    for results in (again, first):
+        del results["summary"]["case_file"]
+    assert again == first
 
 
 def test_a_run_that_has_finished_says_so_and_stays_as_it_is(percolith, whole, tmp_path):

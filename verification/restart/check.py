@@ -15,7 +15,7 @@ from program import ProgramError, program, run_case
 from report import Chapter
 
 TITLE = "Restart: killed runs that go on leave the same bits"
-CASES = ("rock", "water", "pumped")
+CASES = ("rock", "water", "pumped", "slow")
 TRIALS = 34  # of each case
 MOST_KILLS = 4  # in a trial
 

@@ -41,7 +41,9 @@ void describe(V& option, simulation::Stepping& m) {
                                "over the largest, that ends a quasi_static step."});
   option(m.balance_tolerance,
          Quantity{"balance_tolerance", "1", Bounds{0.0, 1.0, false, false}, Need::optional,
-                  "Unbalanced force over internal forces that a quasi_static step may leave."});
+                  "Unbalanced force over internal forces that a quasi_static step may leave; at "
+                  "most half of tolerance, since pressures do not settle further than forces do.",
+                  "a tenth of tolerance"});
   option(m.safety, Quantity{"safety", "1", positive_fraction, Need::optional,
                             "Share of the stability limit that is used. Needs explicit."});
   using simulation::PoreFlow;

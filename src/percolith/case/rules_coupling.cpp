@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace percolith::case_file {
 
@@ -49,18 +50,28 @@ void check_cavitation(Rules& rules) {
   }
 }
 
+/// What would set a boundary in motion, and whether a condition asks for it: a flag may be written
+/// out as false.
+struct BoundaryMotion {
+  std::string_view option;
+  bool (*acts)(const simulation::BoundaryCondition&);
+};
+
+constexpr std::array<BoundaryMotion, 5> boundary_motions{{
+    {"velocity_x", [](const auto& c) { return c.velocity_x.has_value(); }},
+    {"velocity_y", [](const auto& c) { return c.velocity_y.has_value(); }},
+    {"displacement_x", [](const auto& c) { return c.displacement_x.has_value(); }},
+    {"displacement_y", [](const auto& c) { return c.displacement_y.has_value(); }},
+    {"absorbing", [](const auto& c) { return c.absorbing; }},
+}};
+
 /// A rock that is in balance at every step has no velocity.
-void check_quasi_static(Rules& rules) {
+void check_motion_from_outside(Rules& rules) {
   const Setup& setup = rules.setup();
-  if (setup.time.scheme != simulation::Scheme::quasi_static) {
-    return;
-  }
   for (const auto& [name, condition] : setup.boundary) {
-    const std::string path = "boundary." + name;
-    for (const char* const option :
-         {".velocity_x", ".velocity_y", ".displacement_x", ".displacement_y", ".absorbing"}) {
-      if (rules.given(path + option)) {
-        rules.fail(path + option, {"time.scheme"},
+    for (const BoundaryMotion& motion : boundary_motions) {
+      if (motion.acts(condition)) {
+        rules.fail(join_key("boundary." + name, motion.option), {"time.scheme"},
                    "a quasi-static run takes no motion of its boundaries",
                    "fixed, roller, loads, or time.scheme = \"explicit\"");
       }
@@ -70,10 +81,47 @@ void check_quasi_static(Rules& rules) {
     rules.fail("body." + name, {"time.scheme"}, "a quasi-static run has no bodies in motion",
                "time.scheme = \"explicit\"");
   }
+}
+
+/// The pressure of a node that cracks and pores share would be worked out anew from its content in
+/// each iteration, which then starts from another pressure than the last one found.
+void check_exchange(Rules& rules, const std::string& path, const material::Fracture& fracture) {
+  if (fracture.exchange == infinite) {
+    rules.fail(join_key(path, "exchange"), {"time.scheme"},
+               "the quasi-static scheme cannot give fracture and rock one pressure",
+               "a finite exchange");
+  }
+}
+
+/// Pressures do not settle below what an unbalanced force moves them by.
+void check_tolerances(Rules& rules) {
+  const simulation::Stepping& time = rules.setup().time;
+  const double most = simulation::largest_balance_share * time.tolerance;
+  if (time.balance_tolerance && *time.balance_tolerance > most) {
+    rules.fail("time.balance_tolerance", {"time.tolerance"},
+               fmt::format("forces out of balance so far keep the pressures from settling to {:g}",
+                           time.tolerance),
+               fmt::format("at most {:g}, or a larger time.tolerance", most));
+  }
+}
+
+void check_quasi_static(Rules& rules) {
+  const Setup& setup = rules.setup();
+  if (setup.time.scheme != simulation::Scheme::quasi_static) {
+    return;
+  }
+  check_motion_from_outside(rules);
   if (setup.time.stop_ratio) {
     rules.fail("time.stop_ratio", {"time.scheme"}, "a quasi-static run is at rest at every step",
                "time.balance_tolerance");
   }
+  for (const auto& [name, group] : setup.fracture) {
+    check_exchange(rules, "fracture." + name, group.fracture);
+  }
+  if (setup.new_cracks) {
+    check_exchange(rules, "new_cracks", setup.new_cracks->fracture);
+  }
+  check_tolerances(rules);
 }
 
 /// Rock into which a pump goes on pushing fluid never comes to rest.

@@ -6,7 +6,9 @@
 #include <vector>
 
 // How the rock gives way under the pressure of a fluid: estimates that make the iteration between
-// flow and motion converge. They do not change what it converges to.
+// flow and motion converge. Of themselves they do not change what it converges to; how much of the
+// way is left after a change has to be judged by them (see `Approach`), and what breaks on the way
+// stays broken (see `PressureRise`).
 namespace percolith::coupling {
 
 /// Per corner: growth of its pores per pressure in a rock that is free to give way,

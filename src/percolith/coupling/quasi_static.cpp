@@ -5,27 +5,35 @@
 #include "percolith/coupling/breakage.hpp"
 #include "percolith/coupling/compliance.hpp"
 #include "percolith/coupling/motion_to_volume.hpp"
+#include "percolith/coupling/pressure_rise.hpp"
 #include "percolith/coupling/pressure_to_force.hpp"
 #include "percolith/mechanics/pressed_faces.hpp"
+#include "percolith/mechanics/state.hpp"
+#include "percolith/seepage/state.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace percolith::coupling {
 namespace {
 
+/// Iterations between flow and motion that a part of a step may take.
 constexpr int most_iterations = 60;
+/// The shortest part of a step is 2^-10 of it.
 constexpr int most_halvings = 10;
 constexpr int most_motion_steps = 20'000;
 constexpr int motion_steps_between_checks = 25;
 /// The unbalanced force swings while waves pass: rest is where it is small this often in a row.
 constexpr int checks_at_rest = 3;
-/// An iteration that contracts less than so takes the rock for softer.
-constexpr double least_contraction = 0.8;
+/// Bounds of the factor on the compliance of cracks, and of its change in an iteration.
+constexpr double stiffest = 0.1;
 constexpr double softest = 256.0;
+constexpr double most_softening = 4.0;
+/// Rock may break in a part of a step whose pressures rise by this share of the largest at most:
+/// what breaks in a longer one breaks under pressures that it would not have let come up.
+constexpr double largest_rise = 0.05;
 
 /// Keeps the pressures of cracks while volumes change: derived from contents they would answer to
 /// the last digits of the volumes, because the fluid is so much stiffer than the rock.
@@ -78,67 +86,103 @@ void QuasiStatic::describe_state(StateArchive& archive) {
 mechanics::Changes QuasiStatic::advance(double dt, Execution& execution) {
   seepage::Model& water = model_->water;
   const double start = water.state.time;
-  iterations_ = 0;
-  parts_ = 0;
   changes_ = {};
   bookings_.clear();
   time_ = start;
-  advance_part(dt, 0, execution);
+  gave_up_ = false;
+  const Moment before = present_moment();
+  iterations_ = 0;
+  parts_ = 0;
+  advance_part(dt, 0, before, execution);
+  if (gave_up_) {
+    go_back(before);
+    return {};
+  }
   seepage::book_step(water, bookings_, dt);
   water.state.time = start + dt;
   model_->rock.model().motion.time = start + dt;
   return std::move(changes_);
 }
 
-void QuasiStatic::advance_part(double dt, int halvings, Execution& execution) {
-  if (solve(dt, execution)) {
-    ++parts_;
-    const auto booked = flow_->bookings();
-    bookings_.insert(bookings_.end(), booked.begin(), booked.end());
-    leaked_ += flow_->leaked_from_cracks(model_->water);
-    {
-      const KeptCrackPressures kept(model_->water);
-      flow_->apply(model_->water);
-    }
-    time_ += dt;
+/// From `start`, which is now.
+void QuasiStatic::advance_part(double dt, int halvings, const Moment& start, Execution& execution) {
+  const Ending ending = solve(dt, halvings < most_halvings, execution);
+  if (gave_up_) {
+    return;
+  }
+  if (ending.is_solved) {
+    accept(dt);
     return;
   }
   if (halvings == most_halvings) {
-    throw SolverError(fmt::format(
-        "rock and fluid find no common state at time {:.9g} s even with a step of {:.3g} s; the "
-        "results up to the last output are kept. A rock that breaks through suddenly has none: "
-        "time.scheme = \"explicit\" follows it",
-        time_, dt));
+    refuse(dt, ending);
   }
-  advance_part(0.5 * dt, halvings + 1, execution);
-  advance_part(0.5 * dt, halvings + 1, execution);
+  try_again_from(start);
+  advance_part(0.5 * dt, halvings + 1, start, execution);
+  if (!gave_up_) {
+    advance_part(0.5 * dt, halvings + 1, present_moment(), execution);
+  }
 }
 
-bool QuasiStatic::solve(double dt, Execution& execution) {
+void QuasiStatic::accept(double dt) {
+  ++parts_;
+  const auto booked = flow_->bookings();
+  bookings_.insert(bookings_.end(), booked.begin(), booked.end());
+  leaked_ += flow_->leaked_from_cracks(model_->water);
+  const KeptCrackPressures kept(model_->water);
+  flow_->apply(model_->water);
+  time_ += dt;
+}
+
+QuasiStatic::Ending QuasiStatic::solve(double dt, bool may_be_too_long, Execution& execution) {
   measure(execution);
-  softness_ = std::max(1.0, 0.8 * softness_);
-  double last_change = std::numeric_limits<double>::infinity();
+  PressureRise rise(model_->water);
+  Approach approach;
+  bool broke = false;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     ++iterations_;
-    before_ = pressures_of(model_->water);
+    const std::vector<double> before = pressures_of(model_->water);
     if (!solve_flow(dt, execution)) {
-      return false;
+      return {};
     }
     flow_->show_pressures(model_->water);
-    const double change = largest_change();
-    // The first pressures are those of a rock that has not felt this step yet.
-    if (iteration > 0 && is_at_rest_ && !broke_ && change < options_.pressure_tolerance) {
-      return true;
+    approach.see(before, pressures_of(model_->water), model_->water.state.pressure.size(),
+                 softness_);
+    if (is_settled(approach)) {
+      return {true, false, approach.distance()};
     }
-    if (iteration > 1 && !broke_ && change > least_contraction * last_change) {
-      softness_ = std::min(2.0 * softness_, softest);
+    soften(approach);
+    if (!broke) {
+      rise.see(model_->water);
     }
-    last_change = broke_ ? std::numeric_limits<double>::infinity() : change;
     model_->rock.model().motion.time = time_ + dt;
     relax(execution);
+    broke = broke || broke_;
+    if (gave_up_ || (may_be_too_long && broke && rise.largest() > largest_rise)) {
+      return {false, true, approach.distance()};
+    }
     measure(execution);
+    if (broke_) {
+      approach.forget();
+    }
   }
-  return false;
+  return {false, false, approach.distance()};
+}
+
+/// The first pressures are those of a rock that has not felt this step yet.
+bool QuasiStatic::is_settled(const Approach& approach) const {
+  return approach.softness() && is_at_rest_ && !broke_ &&
+         approach.distance() < options_.pressure_tolerance;
+}
+
+void QuasiStatic::soften(const Approach& approach) {
+  if (approach.softness()) {
+    const double found = *approach.softness();
+    const double wanted = found > 0.0 ? found : most_softening * softness_;
+    softness_ =
+        std::clamp(std::clamp(wanted, softness_ / most_softening, most_softening * softness_),
+                   stiffest, softest);
+  }
 }
 
 bool QuasiStatic::solve_flow(double dt, Execution& execution) {
@@ -164,17 +208,6 @@ void QuasiStatic::set_compliance() {
   }
 }
 
-double QuasiStatic::largest_change() const {
-  const std::vector<double> now = pressures_of(model_->water);
-  double change = 0.0;
-  double largest = 1e-300;
-  for (std::size_t i = 0; i < std::min(now.size(), before_.size()); ++i) {
-    change = std::max(change, std::abs(now[i] - before_[i]));
-    largest = std::max(largest, std::abs(now[i]));
-  }
-  return change / largest;
-}
-
 void QuasiStatic::relax(Execution& execution) {
   mechanics::Model& rock = model_->rock.model();
   const double time = rock.motion.time;
@@ -182,9 +215,14 @@ void QuasiStatic::relax(Execution& execution) {
   is_at_rest_ = false;
   int calm = 0;
   apply_pressures(*model_);
-  for (int step = 1; step <= most_motion_steps; ++step) {
-    const bool broke = note(model_->rock.advance(options_.motion_step, execution));
+  for (int step = 1; step <= most_motion_steps && !is_asked_to_stop(); ++step) {
+    mechanics::Changes changes = model_->rock.advance(options_.motion_step, execution);
+    // The motion has a time of its own, which is none of the run.
     rock.motion.time = time;
+    for (mechanics::Breakage& breakage : changes.broke) {
+      breakage.time = time;
+    }
+    const bool broke = note(std::move(changes));
     broke_ = broke_ || broke;
     const bool check = step % motion_steps_between_checks == 0;
     if (check) {
@@ -203,6 +241,11 @@ void QuasiStatic::relax(Execution& execution) {
   }
 }
 
+bool QuasiStatic::is_asked_to_stop() {
+  gave_up_ = gave_up_ || (stop_ && stop_());
+  return gave_up_;
+}
+
 bool QuasiStatic::note(mechanics::Changes changes) {
   const KeptCrackPressures kept(model_->water);
   const bool opened = !open_network(*model_, changes).empty();
@@ -212,6 +255,53 @@ bool QuasiStatic::note(mechanics::Changes changes) {
   changes_.broke.insert(changes_.broke.end(), changes.broke.begin(), changes.broke.end());
   changes_.parted.insert(changes_.parted.end(), changes.parted.begin(), changes.parted.end());
   return opened || !changes.broke.empty();
+}
+
+QuasiStatic::Moment QuasiStatic::present_moment() {
+  Moment moment{{}, changes_.broke.size(), changes_.parted.size()};
+  StateWriter writer([&](std::string_view bytes) { moment.state.append(bytes); });
+  writer("rock", model_->rock);
+  writer("water", model_->water);
+  writer("scheme", *this);
+  return moment;
+}
+
+void QuasiStatic::go_back(const Moment& moment) {
+  StateReader reader(moment.state, "start of the step");
+  reader("rock", model_->rock);
+  reader("water", model_->water);
+  model_->rock.model().pores.pressure = model_->water.state.pressure;
+  model_->water.swelling = model_->rock.model().pores.growth;
+  reader("scheme", *this);
+  changes_.broke.erase(changes_.broke.begin() + static_cast<std::ptrdiff_t>(moment.broke),
+                       changes_.broke.end());
+  changes_.parted.erase(changes_.parted.begin() + static_cast<std::ptrdiff_t>(moment.parted),
+                        changes_.parted.end());
+}
+
+/// Rock and fluid go back; what was learned and what it took stays.
+void QuasiStatic::try_again_from(const Moment& moment) {
+  const int iterations = iterations_;
+  const double softness = softness_;
+  go_back(moment);
+  iterations_ = iterations;
+  softness_ = softness;
+}
+
+void QuasiStatic::refuse(double dt, const Ending& ending) const {
+  const char* const way_out =
+      ending.is_too_long || !changes_.broke.empty()
+          ? "A rock that breaks through suddenly has none: time.scheme = \"explicit\" follows it"
+      : is_at_rest_ ? "Raise time.tolerance or lower time.balance_tolerance"
+                    : "Forces that stay out of balance want more damping.local or a higher "
+                      "time.balance_tolerance";
+  throw SolverError(fmt::format(
+      "rock and fluid find no common state at time {:.9g} s even with a step of {:.3g} s; the "
+      "results up to the last output are kept. The pressures are still {:.2g} of the largest "
+      "away, allowed: {:g} (time.tolerance); the unbalanced force is {:.2g} of the internal "
+      "ones, allowed: {:g} (time.balance_tolerance). {}",
+      time_, dt, ending.distance, options_.pressure_tolerance, model_->rock.unbalanced_ratio(),
+      options_.balance_tolerance, way_out));
 }
 
 /// Volumes follow the rock; pressures stay as the flow found them.

@@ -4,6 +4,8 @@
 #include "percolith/core/archive.hpp"
 #include "percolith/coupling/coupled_model.hpp"
 
+#include <functional>
+
 namespace percolith::coupling {
 
 /// How rock and fluid are advanced together.
@@ -17,6 +19,10 @@ public:
   /// One step of `dt` seconds; the time of both halves is that at its end. Throws SolverError where
   /// no solution is found.
   virtual mechanics::Changes advance(double dt, Execution& execution) = 0;
+  /// A scheme whose steps take long asks `stop` on the way and gives the step up where it says so.
+  virtual void listen(const std::function<bool()>& /*stop*/) {}
+  /// Whether the last step was given up: everything is as it was before it.
+  [[nodiscard]] virtual bool gave_up() const { return false; }
   /// To be called when conditions have been added since the last step.
   virtual void network_changed() = 0;
   /// What the next step takes over from those before, beside the model; to be read once the model

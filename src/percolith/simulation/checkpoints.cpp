@@ -63,6 +63,19 @@ void Checkpoints::report_step(const StepEnd& step, const std::function<void()>& 
   }
 }
 
+void Checkpoints::report_stop(StepEnd last, const std::function<void()>& row,
+                              const std::function<void()>& frame, Observer& observer,
+                              Execution& execution) {
+  last.stopped = true;
+  send(last, observer, execution);
+  if (!last.row) {
+    row();
+  }
+  if (!last.frame) {
+    frame();
+  }
+}
+
 void Checkpoints::send(const StepEnd& step, Observer& observer, Execution& execution) {
   const auto start = std::chrono::steady_clock::now();
   if (!step.stopped && !clock_.due(step.time, start)) {

@@ -51,6 +51,10 @@ public:
   void report_step(const StepEnd& step, const std::function<void()>& row,
                    const std::function<void()>& frame, Observer& observer, Execution& execution);
 
+  /// For a run that stops in the midst of the step after `last`, which was reported.
+  void report_stop(StepEnd last, const std::function<void()>& row,
+                   const std::function<void()>& frame, Observer& observer, Execution& execution);
+
 private:
   void send(const StepEnd& step, Observer& observer, Execution& execution);
 

@@ -35,6 +35,15 @@ constexpr std::string_view way_out_of_suction =
     "Start from initial.pressure or initial.water_table in place of initial.steady, or take out "
     "less at time 0: a schedule may begin with 0 and rise later";
 
+// Steps of a quasi-static run, unless told: the longest and the first one fit so often into it.
+constexpr double least_steps_of_a_run = 20.0;
+constexpr double first_steps_of_a_run = 100.0;
+// Steps that take many iterations are too long, those that take few too short.
+constexpr int few_iterations = 8;
+constexpr int many_iterations = 25;
+constexpr double step_growth = 1.5;
+constexpr double step_shrinkage = 0.5;
+
 /// Biot coefficient of each region of the mesh.
 std::vector<double> biot_of_regions(const Setup& setup, const mesh::Mesh& mesh) {
   std::vector<double> biot;
@@ -74,15 +83,11 @@ WaterRun make_water(const Setup& setup, const mesh::GmshMesh& mesh) {
 }
 
 /// What the motion takes of a setup. In a quasi-static run it only finds the balance of forces: its
-/// step is its own, and damping takes out what it swings.
+/// step is its own.
 Setup setup_of_motion(const Setup& setup) {
-  constexpr double damping = 0.7;
   Setup motion = setup;
   if (setup.time.scheme == Scheme::quasi_static) {
     motion.time.step.reset();
-    if (setup.damping == Damping{}) {
-      motion.damping.local = damping;
-    }
   }
   return motion;
 }
@@ -103,7 +108,7 @@ public:
       choose_flow_step(setup.time);
       scheme_ = std::make_unique<coupling::QuasiStatic>(
           model_,
-          coupling::QuasiStaticOptions{setup.time.tolerance, setup.time.balance_tolerance, step_});
+          coupling::QuasiStaticOptions{setup.time.tolerance, balance_tolerance(setup.time), step_});
     } else {
       scheme_ = std::make_unique<coupling::CoupledStep>(model_, setup.time.pore_flow,
                                                         longest_pore_step());
@@ -117,6 +122,9 @@ public:
 protected:
   mechanics::Changes advance(double dt) override {
     mechanics::Changes changes = scheme_->advance(dt, run_.execution);
+    if (gave_up()) {
+      return changes;
+    }
     run_.summary.iterations += scheme_->iterations();
     if (is_slow_) {
       judge_flow_step(dt);
@@ -124,6 +132,12 @@ protected:
       limit_now_ = limit_.motion(model_);
     }
     return changes;
+  }
+  void listen(const std::function<bool()>& stop) override { scheme_->listen(stop); }
+  [[nodiscard]] bool gave_up() const override { return scheme_->gave_up(); }
+  /// A quasi-static step goes far.
+  [[nodiscard]] std::int64_t steps_between_checks() const override {
+    return is_slow_ ? 1 : SolidTask::steps_between_checks();
   }
   [[nodiscard]] double longest_step() const override {
     return is_slow_ ? flow_step_ : std::min(step_, run_.setup.time.safety * limit_now_);
@@ -208,24 +222,22 @@ void CoupledTask::warn_of_pore_steps() {
 
 void CoupledTask::choose_flow_step(const Stepping& time) {
   is_fixed_ = time.step.has_value();
-  longest_flow_step_ = time.step.value_or(time.maximum_step.value_or(time.end / 20.0));
-  flow_step_ = is_fixed_
-                   ? longest_flow_step_
-                   : std::min(time.initial_step.value_or(time.end / 100.0), longest_flow_step_);
+  longest_flow_step_ =
+      time.step.value_or(time.maximum_step.value_or(time.end / least_steps_of_a_run));
+  flow_step_ = is_fixed_ ? longest_flow_step_
+                         : std::min(time.initial_step.value_or(time.end / first_steps_of_a_run),
+                                    longest_flow_step_);
 }
 
-/// Steps that take many iterations are too long, those that take few too short.
 void CoupledTask::judge_flow_step(double dt) {
-  constexpr int few = 8;
-  constexpr int many = 25;
   run_.summary.rejected_steps += scheme_->parts() - 1;
   if (is_fixed_) {
     return;
   }
-  if (scheme_->parts() > 1 || scheme_->iterations() > many) {
-    flow_step_ = std::min(flow_step_, 0.5 * dt);
-  } else if (scheme_->iterations() < few) {
-    flow_step_ = std::min(1.5 * flow_step_, longest_flow_step_);
+  if (scheme_->parts() > 1 || scheme_->iterations() > many_iterations) {
+    flow_step_ = std::min(flow_step_, step_shrinkage * dt);
+  } else if (scheme_->iterations() < few_iterations) {
+    flow_step_ = std::min(step_growth * flow_step_, longest_flow_step_);
   }
 }
 

@@ -166,7 +166,8 @@ struct Damping {
   double nodal_viscosity = 0.0;    ///< mu of C = mu I, (2), kg/(m s)
   double element_viscosity = 0.0;  ///< mu of 2 mu D, (8), Pa s
   double viscosity_ratio = 0.0;    ///< element viscosity over 2 h sqrt(E rho)
-  double local = 0.0;              ///< non-viscous: share of the unbalanced force
+  /// Non-viscous: share of the unbalanced force; absent: `local_damping` says.
+  std::optional<double> local{};
   friend bool operator==(const Damping&, const Damping&) = default;
 };
 
@@ -198,8 +199,9 @@ struct Stepping {
   std::optional<double> maximum_step;  ///< s, implicit
   double tolerance = 1e-3;             ///< local error per step over the pressure range, implicit;
                                        ///< of pressures and rock agreeing, quasi-static
-  double balance_tolerance = 1e-4;     ///< unbalanced over internal forces, quasi-static
-  double safety = 0.9;                 ///< share of the stability limit used, explicit
+  /// Unbalanced over internal forces, quasi-static; absent: `balance_tolerance` says.
+  std::optional<double> balance_tolerance{};
+  double safety = 0.9;  ///< share of the stability limit used, explicit
   PoreFlow pore_flow = PoreFlow::explicit_;  ///< coupled, explicit
   /// Mechanics ends early when the unbalanced force is below this share of the internal forces.
   std::optional<double> stop_ratio;
@@ -228,6 +230,18 @@ struct Output {
   friend bool operator==(const Output&, const Output&) = default;
 };
 
+/// The balance of forces in a quasi-static run, over its tolerance of the pressures: by default,
+/// and at most.
+inline constexpr double balance_share = 0.1;
+inline constexpr double largest_balance_share = 0.5;
+/// Damping of the motion that finds the balance of forces of a quasi-static run.
+inline constexpr double quasi_static_damping = 0.7;
+
+/// Unbalanced force over internal forces that a quasi-static step may leave.
+[[nodiscard]] inline double balance_tolerance(const Stepping& time) {
+  return time.balance_tolerance.value_or(balance_share * time.tolerance);
+}
+
 struct Setup {
   int format = 1;
   std::string title;
@@ -251,5 +265,11 @@ struct Setup {
   std::map<std::string, Probe> probe;
   friend bool operator==(const Setup&, const Setup&) = default;
 };
+
+/// Share of the unbalanced force that acts against the motion.
+[[nodiscard]] inline double local_damping(const Setup& setup) {
+  const bool seeks_balance = setup.time.scheme == Scheme::quasi_static;
+  return setup.damping.local.value_or(seeks_balance ? quasi_static_damping : 0.0);
+}
 
 }  // namespace percolith::simulation

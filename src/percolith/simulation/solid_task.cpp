@@ -20,8 +20,6 @@ namespace {
 
 using mesh::Index;
 
-/// A value that is not a number spreads; looking for it every so many steps finds it soon enough.
-constexpr std::int64_t steps_between_checks = 200;
 /// The unbalanced force swings while waves pass: rest is where it is small this often in a row.
 constexpr int checks_at_rest = 3;
 
@@ -152,9 +150,15 @@ double SolidTask::make_step(double event, Observer& observer) {
   const double way = event - time();
   const double steps = std::max(1.0, std::ceil(way / longest_step() * (1.0 - 1e-9)));
   const double dt = way / steps;
-  const mechanics::Changes changes = advance(dt);
+  mechanics::Changes changes = advance(dt);
+  if (gave_up()) {
+    return 0.0;
+  }
   if (steps == 1.0) {
     set_time(event);
+  }
+  for (mechanics::Breakage& breakage : changes.broke) {
+    breakage.time = std::min(breakage.time, time());
   }
   ++run_.summary.steps;
   if (changes.any()) {
@@ -238,33 +242,43 @@ bool SolidTask::go_on(Observer& observer, const std::function<bool()>& stop) {
   const EventClock clock(run_.setup.output, end);
   Checkpoints checkpoints(run_.setup.output, time(),
                           [this](StateArchive& archive) { describe_state(archive); });
-  bool stopped = false;
-  while (time() < end && !stopped && !run_.summary.reached_rest) {
+  double dt = 0.0;
+  const auto row = [&] { report_history(dt, observer); };
+  const auto frame = [&] { report_frame(observer); };
+  listen(stop);
+  // What there is to tell of the start was told.
+  StepEnd step{.time = time(), .number = run_.summary.steps, .row = true, .frame = true};
+  while (time() < end && !step.stopped && !run_.summary.reached_rest) {
     dig();
     const double output = clock.next_output(time());
-    const double event = next_event(output);
-    const double dt = make_step(event, observer);
-    stopped = stop();
-    const bool check = run_.summary.steps % steps_between_checks == 0;
-    run_.summary.reached_rest = check && is_at_rest();
-    const bool at_output = clock.reaches(time(), output) || run_.summary.reached_rest;
-    if (check || at_output || stopped) {
-      require_valid();
+    const double made = make_step(next_event(output), observer);
+    if (gave_up()) {
+      checkpoints.report_stop(step, row, frame, observer, run_.execution);
+      break;
     }
-    const StepEnd step{time(),
-                       run_.summary.steps,
-                       history_.due(time()) || at_output,
-                       at_output,
-                       time() >= end || run_.summary.reached_rest,
-                       stopped};
-    checkpoints.report_step(
-        step, [&] { report_history(dt, observer); }, [&] { report_frame(observer); }, observer,
-        run_.execution);
+    dt = made;
+    step = end_step(clock, output, stop());
+    checkpoints.report_step(step, row, frame, observer, run_.execution);
     observer.on_progress(
         {time(), end, dt, run_.summary.steps, iterations(), limited_by(), run_.broken.count});
   }
   warn_of_energy(observer);
   return time() >= end || run_.summary.reached_rest;
+}
+
+StepEnd SolidTask::end_step(const EventClock& clock, double output, bool stopped) {
+  const bool check = run_.summary.steps % steps_between_checks() == 0;
+  run_.summary.reached_rest = check && is_at_rest();
+  const bool at_output = clock.reaches(time(), output) || run_.summary.reached_rest;
+  if (check || at_output || stopped) {
+    require_valid();
+  }
+  return {time(),
+          run_.summary.steps,
+          history_.due(time()) || at_output,
+          at_output,
+          time() >= run_.setup.time.end || run_.summary.reached_rest,
+          stopped};
 }
 
 std::unique_ptr<Task> make_solid_task(const Setup& setup, const mesh::GmshMesh& mesh) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "percolith/core/archive.hpp"
+#include "percolith/simulation/checkpoints.hpp"
 #include "percolith/simulation/event_clock.hpp"
 #include "percolith/simulation/solid_run.hpp"
 #include "percolith/simulation/task.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -43,6 +45,11 @@ protected:
   virtual mechanics::Changes advance(double dt) {
     return run_.dynamics.advance(dt, run_.execution);
   }
+  /// A step that takes long may ask `stop` on its way and give up, which leaves all as it was.
+  virtual void listen(const std::function<bool()>& /*stop*/) {}
+  [[nodiscard]] virtual bool gave_up() const { return false; }
+  /// Steps after which the state is looked at for values that are none.
+  [[nodiscard]] virtual std::int64_t steps_between_checks() const { return 200; }
   /// Longest step that may be taken now, s.
   [[nodiscard]] virtual double longest_step() const { return step_; }
   /// What rules that step.
@@ -74,6 +81,7 @@ protected:
 private:
   [[nodiscard]] double next_event(double output) const;
   bool go_on(Observer& observer, const std::function<bool()>& stop);
+  [[nodiscard]] StepEnd end_step(const EventClock& clock, double output, bool stopped);
   void dig();
   double make_step(double event, Observer& observer);
   bool is_at_rest();

@@ -73,7 +73,6 @@ TEST(ReadCoupled, OnlyImplicitPoresShareThePressureOfACrack) {
             "fracture and rock one pressure; allowed: a finite exchange, or time.pore_flow = "
             "\"implicit\"");
   EXPECT_EQ(coupled_error({"new_cracks.exchange=inf", "time.pore_flow=implicit"}), "");
-  EXPECT_EQ(coupled_error({"new_cracks.exchange=inf", "time.scheme=quasi_static"}), "");
 }
 
 TEST(ReadCoupled, CracksPressedShutKeepSomeRoom) {
@@ -162,6 +161,54 @@ TEST(ReadCoupled, WarnsOfAnUnusualBiotCoefficientWithItsPlace) {
   EXPECT_EQ(warnings[0],
             "case.toml:15:20: warning: material.rock.biot_coefficient = 0.05 is outside of the "
             "range from the porosity, 0.1, to 1 that a rock of solid grains has");
+}
+
+/// As coupled_error, for a quasi-static run.
+std::string slow_error(std::vector<std::string> overrides) {
+  overrides.insert(overrides.begin(), "time.scheme=quasi_static");
+  return coupled_error(overrides);
+}
+
+TEST(ReadCoupled, FlagsThatAreOffDoNotMoveTheBoundariesOfAQuasiStaticRun) {
+  EXPECT_EQ(slow_error({"boundary.wall.absorbing=false"}), "");
+  EXPECT_THAT(slow_error({"boundary.base.fixed=", "boundary.base.absorbing=true"}),
+              HasSubstr("boundary.base.absorbing = true: a quasi-static run takes no motion"));
+}
+
+TEST(ReadCoupled, QuasiStaticRunsNeedAFiniteExchange) {
+  EXPECT_THAT(slow_error({"new_cracks.exchange=inf"}),
+              HasSubstr("new_cracks.exchange = inf: the quasi-static scheme cannot give"));
+  EXPECT_THAT(slow_error({"fracture.fault.groups=[\"fault\"]",
+                          "fracture.fault.initial_aperture=1e-4", "fracture.fault.exchange=inf"}),
+              HasSubstr("fracture.fault.exchange = inf: the quasi-static scheme cannot give"));
+}
+
+TEST(ReadCoupled, ForcesOfAQuasiStaticRunBalanceBetterThanPressuresSettle) {
+  const auto slow = [](const std::string& option) {
+    return read(coupled_case, {"time.scheme=quasi_static", option}).setup.time;
+  };
+  EXPECT_DOUBLE_EQ(slow("time.tolerance=1e-5").balance_tolerance.value(), 1e-6);
+  EXPECT_EQ(slow("time.balance_tolerance=3e-4").balance_tolerance.value(), 3e-4);
+  EXPECT_THAT(slow_error({"time.tolerance=1e-5", "time.balance_tolerance=1e-4"}),
+              HasSubstr("time.balance_tolerance = 0.0001: forces out of balance so far keep the "
+                        "pressures from settling to 1e-05; allowed: at most 5e-06"));
+}
+
+TEST(ReadCoupled, TheMotionOfAQuasiStaticRunIsDampedUnlessTold) {
+  const auto local = [](const std::vector<std::string>& options) {
+    return read(coupled_case, options).setup.damping.local;
+  };
+  EXPECT_EQ(local({"time.scheme=quasi_static"}), 0.7);
+  EXPECT_EQ(local({"time.scheme=quasi_static", "damping.nodal_viscosity=1"}), 0.7);
+  EXPECT_EQ(local({"time.scheme=quasi_static", "damping.local=0"}), 0.0);
+  EXPECT_FALSE(local({}).has_value());
+}
+
+TEST(ReadCoupled, AQuasiStaticCaseReadAgainFromItsResolvedFormIsTheSame) {
+  for (const std::string more : {"damping.local=0", "time.tolerance=1e-4", "time.step=1"}) {
+    const simulation::Setup setup = read(coupled_case, {"time.scheme=quasi_static", more}).setup;
+    EXPECT_EQ(read(resolved_toml(setup)).setup, setup) << resolved_toml(setup);
+  }
 }
 
 TEST(ReadCoupled, KeepsItsOptionsFromTheHalves) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/core/error.hpp"
 #include "percolith/coupling/quasi_static.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "unit/support/coupled_model.hpp"
 
@@ -22,13 +25,13 @@ mesh::GmshMesh notched() {
   return file;
 }
 
-/// Holds the lower and the upper side.
-mechanics::SupportSet held(mechanics::Model& rock) {
+/// Holds the lower and the upper side, or all of them.
+mechanics::SupportSet held(mechanics::Model& rock, bool all = false) {
   std::vector<mechanics::Held> corners;
   for (const mesh::BoundaryEdge& edge : rock.mesh.boundary) {
     const Point a = rock.mesh.vertex[at(edge.vertex[0])];
     const Point b = rock.mesh.vertex[at(edge.vertex[1])];
-    if (a.y == b.y) {
+    if (all || a.y == b.y) {
       for (const Index corner : edge.corner) {
         corners.push_back({corner, {1.0, 0.0}, 0});
         corners.push_back({corner, {0.0, 1.0}, 0});
@@ -60,6 +63,25 @@ QuasiStaticOptions exact(Coupled& coupled) {
   return {1e-3, 1e-4, 0.9 * coupled.limit().rock()};
 }
 
+/// What the cracks hold, m2.
+double fluid_in_cracks(const seepage::Model& water) {
+  double sum = 0.0;
+  for (const Index v : water.cracks.open_nodes()) {
+    sum += water.crack.void_volume[at(v)] + water.state.crack_content[at(v)];
+  }
+  return sum;
+}
+
+/// What they hold when full at the pressures they show, V (1 + p/K), m2.
+double full_cracks(const seepage::Model& water) {
+  double sum = 0.0;
+  for (const Index v : water.cracks.open_nodes()) {
+    sum += water.crack.void_volume[at(v)] *
+           (1.0 + water.state.crack_pressure[at(v)] / water.fluid.bulk_modulus);
+  }
+  return sum;
+}
+
 /// Fluid and room agree at the pressure that was found, which the contents do not show: V (1 + p/K)
 /// is what the crack holds.
 TEST(QuasiStatic, FindsThePressureThatHoldsTheCrackOpen) {
@@ -88,17 +110,101 @@ TEST(QuasiStatic, FindsThePressureThatHoldsTheCrackOpen) {
   EXPECT_NEAR(held, room * pressure / water.fluid.bulk_modulus, 1e-2 * 2 * 3600.0 * 1e-9);
 }
 
-TEST(QuasiStatic, RockThatBreaksTakesTheFluidIn) {
-  Coupled coupled(notched(), pumped(test::joint_kind(1e6, 3e6, 20.0, 60.0), 1e-8));
+/// Water into a notch of a tough block held on all sides, in which cracks do not break through.
+CoupledOptions confined() {
+  CoupledOptions options = pumped(test::joint_kind(1e6, 10e6, 20.0, 200.0), 1e-7);
+  options.supports = [](mechanics::Model& rock) { return held(rock, true); };
+  return options;
+}
+
+/// An hour of it in steps of `dt` seconds.
+std::size_t broken_after_an_hour(double dt) {
+  Coupled coupled(notched(), confined());
   QuasiStatic scheme(coupled.model(), {1e-2, 1e-3, 0.9 * coupled.limit().rock()});
   Execution execution;
   std::size_t broke = 0;
-  for (int hour = 0; hour < 60 && broke == 0; ++hour) {
-    broke += scheme.advance(3600.0, execution).broke.size();
+  for (double t = 0.0; t < 3600.0; t += dt) {
+    broke += scheme.advance(dt, execution).broke.size();
   }
-  EXPECT_GT(broke, 0U);
-  EXPECT_GT(coupled.water().cracks.broken_joints().size(), 3U);
+  EXPECT_EQ(coupled.water().cracks.broken_joints().size(), 3U + broke);
   EXPECT_LT(coupled.mass_error(), 1e-13);
+  // It has found the room that the fluid needs, which an iteration that creeps has not.
+  EXPECT_NEAR(fluid_in_cracks(coupled.water()) / full_cracks(coupled.water()), 1.0, 3e-2);
+  return broke;
+}
+
+TEST(QuasiStatic, HowMuchBreaksDoesNotDependOnTheStep) {
+  const std::size_t broke = broken_after_an_hour(3600.0);
+  EXPECT_GT(broke, 0U);
+  EXPECT_EQ(broken_after_an_hour(1200.0), broke);
+}
+
+/// What breaks in steps that are given up does not count, and what does has the time of its part.
+TEST(QuasiStatic, EveryJointBreaksOnceWithinItsStep) {
+  Coupled coupled(notched(), confined());
+  QuasiStatic scheme(coupled.model(), {1e-2, 1e-3, 0.9 * coupled.limit().rock()});
+  Execution execution;
+  const auto broke = scheme.advance(3600.0, execution).broke;
+  ASSERT_FALSE(broke.empty());
+  EXPECT_GT(scheme.parts(), 1);
+  EXPECT_EQ(coupled.water().cracks.broken_joints().size(), 3U + broke.size());
+  for (const mechanics::Breakage& breakage : broke) {
+    EXPECT_GT(breakage.time, 0.0);
+    EXPECT_LE(breakage.time, 3600.0);
+  }
+}
+
+TEST(QuasiStatic, AStepThatIsGivenUpLeavesNothingBehind) {
+  Coupled coupled(notched(), confined());
+  QuasiStatic scheme(coupled.model(), {1e-2, 1e-3, 0.9 * coupled.limit().rock()});
+  Execution execution;
+  scheme.advance(600.0, execution);
+  const std::string before = coupled.bits();
+  const std::size_t open = coupled.water().cracks.broken_joints().size();
+  std::size_t most = 0;
+  scheme.listen([&] {
+    most = std::max(most, coupled.water().cracks.broken_joints().size());
+    return most > open;
+  });
+  EXPECT_TRUE(scheme.advance(3600.0, execution).broke.empty());
+  EXPECT_TRUE(scheme.gave_up());
+  EXPECT_GT(most, open);
+  EXPECT_EQ(coupled.bits(), before);
+  EXPECT_EQ(coupled.water().cracks.broken_joints().size(), open);
+  EXPECT_EQ(coupled.water().state.time, 600.0);
+  EXPECT_EQ(coupled.rock().model().motion.time, 600.0);
+}
+
+TEST(QuasiStatic, GivesTheSameBitsOnAnyNumberOfThreads) {
+  std::string reference;
+  for (const auto& [backend, threads] :
+       {std::pair{Backend::serial, 1}, {Backend::host, 1}, {Backend::host, 2}}) {
+    Coupled coupled(notched(), confined());
+    QuasiStatic scheme(coupled.model(), {1e-1, 5e-2, 0.9 * coupled.limit().rock()});
+    Execution execution(backend, threads);
+    scheme.advance(60.0, execution);
+    if (reference.empty()) {
+      reference = coupled.bits();
+    }
+    EXPECT_EQ(coupled.bits(), reference) << threads;
+  }
+}
+
+TEST(QuasiStatic, AStepWithoutSolutionTellsWhatIsLacking) {
+  Coupled coupled(notched(), pumped(test::strong()));
+  // Forces so far out of balance leave no pressure settled.
+  QuasiStatic scheme(coupled.model(), {1e-12, 0.5, 0.9 * coupled.limit().rock()});
+  Execution execution;
+  try {
+    scheme.advance(3600.0, execution);
+    FAIL() << "it found a solution";
+  } catch (const SolverError& error) {
+    const std::string said = error.what();
+    EXPECT_NE(said.find("of the largest away, allowed: 1e-12 (time.tolerance)"), std::string::npos)
+        << said;
+    EXPECT_NE(said.find("allowed: 0.5 (time.balance_tolerance)"), std::string::npos) << said;
+    EXPECT_EQ(said.find("breaks through"), std::string::npos) << said;
+  }
 }
 
 /// What consolidates by itself has nowhere to flow: undrained pressure, as the explicit scheme has.

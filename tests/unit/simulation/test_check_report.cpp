@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "unit/support/solid_setup.hpp"
@@ -74,6 +75,25 @@ TEST(CheckReport, NamesImplicitPoresWhereExplicitOnesTakeVeryManySteps) {
   for (const auto& [name, value] : one.mechanics) {
     EXPECT_NE(name, steps);
   }
+}
+
+/// The implicit flow of a quasi-static run has no steps of its own, and solves for all nodes.
+TEST(CheckReport, OfSlowInjectionTellsOfNoExplicitFlow) {
+  simulation::Setup setup = test::solid_setup();
+  setup.model.physics = Physics::coupled;
+  setup.fracture["level"] = test::fracture_group("level", 1e-4, 1e-9);
+  setup.new_cracks = NewCracks{};
+  const std::string name = "explicit steps of the pores per step of the motion";
+  const auto tells = [&](const CheckReport& report) {
+    return std::any_of(report.mechanics.begin(), report.mechanics.end(),
+                       [&](const auto& value) { return value.first == name; });
+  };
+  setup.time.scheme = Scheme::explicit_;
+  EXPECT_TRUE(tells(Simulation(setup, test::plain_mesh()).check()));
+  setup.time.scheme = Scheme::quasi_static;
+  const CheckReport report = Simulation(setup, test::plain_mesh()).check();
+  EXPECT_FALSE(tells(report));
+  EXPECT_EQ(report.unknowns, report.pore_nodes + report.crack_nodes);
 }
 
 }  // namespace

@@ -348,16 +348,64 @@ TEST(Checkpoints, SlowInjectionGoesOnToTheSameBits) {
 
 /// Cracks that have opened since the start belong to what it goes on from.
 TEST(Checkpoints, SlowInjectionThatHasBrokenTheRockGoesOnToTheSameBits) {
-  simulation::Setup setup = slow_injection(1e5, 1e-6);
-  setup.material["sandstone"].strength.mode_1_energy = 1.0;
-  setup.boundary["left"] = test::on("left");
-  setup.boundary["left"].roller = true;
+  simulation::Setup setup = slow_injection(1e5, 2e-5);
+  setup.material["sandstone"].strength.mode_1_energy = 10.0;
+  // Held on all sides, it does not break through.
+  for (const char* const side : {"left", "top", "bottom"}) {
+    setup.boundary[side] = test::on(side);
+    setup.boundary[side].fixed = true;
+  }
+  setup.time.end = 60.0;
+  setup.time.step = 30.0;
   Keeper whole;
   static_cast<void>(test::run(setup, notched(), whole));
   ASSERT_FALSE(whole.events.empty());
+  for (const BreakEvent& event : whole.events) {
+    EXPECT_GT(event.time, 0.0);
+    EXPECT_LE(event.time, setup.time.end);
+  }
   ASSERT_GT(whole.kept.size(), 0U);
   ASSERT_GT(whole.kept.front().events, 0U);
   expect_same_from_checkpoints(setup, notched(), 1);
+}
+
+/// Runs until `stop` and goes on; the whole must be as if it had not been stopped.
+void expect_same_when_stopped(const Setup& setup, const std::function<bool()>& stop) {
+  Keeper whole;
+  const Summary expected = test::run(setup, notched(), whole);
+  Simulation simulation(setup, notched());
+  Keeper stopped;
+  ASSERT_FALSE(simulation.run(stopped, stop));
+  ASSERT_FALSE(stopped.kept.empty());
+  // No moment is told twice.
+  for (std::size_t i = 1; i < stopped.history.size(); ++i) {
+    EXPECT_LT(stopped.history[i - 1].time, stopped.history[i].time);
+  }
+  Simulation again(setup, notched());
+  Keeper rest;
+  StateReader reader(stopped.kept.back().bytes, "checkpoint");
+  ASSERT_TRUE(again.resume(reader, rest, test::never));
+  const Summary summary = again.summary();
+  EXPECT_EQ(summary.state_hash, expected.state_hash);
+  EXPECT_EQ(summary.steps, expected.steps);
+  EXPECT_EQ(summary.iterations, expected.iterations);
+  EXPECT_EQ(stopped.kept.back().rows + rest.history.size(), whole.history.size());
+}
+
+/// It is asked thousands of times a step.
+TEST(Checkpoints, SlowInjectionStopsInTheMidstOfAStep) {
+  for (const int most : {10, 400}) {
+    int asked = 0;
+    expect_same_when_stopped(slow_injection(5e6, 1e-8), [&] { return ++asked == most; });
+    EXPECT_EQ(asked, most);
+  }
+}
+
+TEST(Checkpoints, SlowInjectionThatTakesMoreThanThereIsEndsAtOnce) {
+  simulation::Setup setup = slow_injection(5e6, -1e-4);
+  test::Recorder recorder;
+  EXPECT_THROW(test::run(setup, notched(), recorder), SolverError);
+  EXPECT_LE(recorder.history.size(), 2U);
 }
 
 TEST(Checkpoints, ARunThatStopsLeavesOneThatKnowsNothingOfItsLastReports) {
