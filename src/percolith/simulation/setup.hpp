@@ -201,7 +201,7 @@ struct Stepping {
                                        ///< of pressures and rock agreeing, quasi-static
   /// Unbalanced over internal forces, quasi-static; absent: `balance_tolerance` says.
   std::optional<double> balance_tolerance{};
-  double safety = 0.9;  ///< share of the stability limit used, explicit
+  double safety = 0.9;                       ///< share of the stability limit used, explicit
   PoreFlow pore_flow = PoreFlow::explicit_;  ///< coupled, explicit
   /// Mechanics ends early when the unbalanced force is below this share of the internal forces.
   std::optional<double> stop_ratio;
