@@ -49,6 +49,15 @@ def test_a_signal_ends_the_run_after_the_step(endless, tmp_path, number):
     assert not list((tmp_path / "out").rglob("*.part"))
 
 
+def test_a_second_sigterm_does_not_hurry(endless, tmp_path):
+    endless.send_signal(signal.SIGTERM)
+    endless.send_signal(signal.SIGTERM)
+    endless.communicate(timeout=30)
+    assert endless.returncode == 128 + signal.SIGTERM
+    assert json.loads((tmp_path / "out/summary.json").read_text())["outcome"] == "interrupted"
+    assert (tmp_path / "out/checkpoint.bin").is_file()
+
+
 def test_a_folder_in_use_is_refused_even_with_force(endless, percolith, strip, tmp_path):
     before = set(files_of(tmp_path / "out"))
     done = percolith("run", strip, "--output", "out", "--force")

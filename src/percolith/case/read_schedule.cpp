@@ -10,6 +10,9 @@ namespace percolith::case_file {
 
 namespace {
 
+constexpr const char* increasing_times =
+    "times that strictly increase; for a jump, interpolation = \"step\"";
+
 /// Reports what is wrong with the table as a whole.
 std::nullopt_t refuse(const Node& node, const std::string& key, Context& context,
                       std::string reason, std::string allowed) {
@@ -116,7 +119,7 @@ std::optional<Schedule> read_inline(const Node& node, const std::string& key,
   const std::size_t disorder = first_disorder(*times);
   if (disorder < times->size()) {
     return refuse((*table.times.node->array())[disorder], key + ".times", context,
-                  "times do not increase", "times that strictly increase");
+                  "times do not increase", increasing_times);
   }
   return Schedule{*times, *values, table.interpolation};
 }
@@ -166,7 +169,7 @@ std::optional<Schedule> read_file(const Node& node, const std::string& key,
   if (disorder < times->size()) {
     const CsvTable::Row& row = csv.rows[disorder];
     return refuse(reader.node_of(row.cells[*time_column], row.line), key, context,
-                  "times do not increase", "times that strictly increase");
+                  "times do not increase", increasing_times);
   }
   return Schedule{*times, *values, table.interpolation};
 }

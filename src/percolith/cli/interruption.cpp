@@ -14,10 +14,14 @@ volatile std::sig_atomic_t is_asking = 0;
 volatile std::sig_atomic_t received = 0;
 
 extern "C" void handle_interruption(int number) {
-  if (is_asking == 0 || received != 0) {
+  // Whoever stops jobs may send SIGTERM more than once (`timeout` does); only a person at the
+  // keyboard insists.
+  if (is_asking == 0 || (received != 0 && number == SIGINT)) {
     ::_exit(128 + number);
   }
-  received = number;
+  if (received == 0) {
+    received = number;
+  }
 }
 
 void set_handler(int number, void (*handler)(int)) {

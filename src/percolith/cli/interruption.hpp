@@ -4,8 +4,8 @@
 namespace percolith::cli {
 
 /// Takes care of signals while a case runs, as long as this object lives. SIGINT and SIGTERM ask
-/// the run to stop; before `begin`, and the second time, they end the program at once with the
-/// exit code 128 + signal. SIGPIPE and SIGXFSZ are ignored, so that a write to a closed pipe or
+/// the run to stop; before `begin`, and SIGINT the second time, they end the program at once with
+/// the exit code 128 + signal. SIGPIPE and SIGXFSZ are ignored, so that a write to a closed pipe or
 /// beyond the file size limit fails like any other write. One at a time.
 class Interruption {
 public:

@@ -24,6 +24,8 @@ constexpr int most_iterations = 60;
 /// The shortest part of a step is 2^-10 of it.
 constexpr int most_halvings = 10;
 constexpr int most_motion_steps = 20'000;
+/// Relaxations in a row that may end before the rock is at rest: cracks run on in it.
+constexpr int most_restless = 3;
 constexpr int motion_steps_between_checks = 25;
 /// The unbalanced force swings while waves pass: rest is where it is small this often in a row.
 constexpr int checks_at_rest = 3;
@@ -139,7 +141,8 @@ QuasiStatic::Ending QuasiStatic::solve(double dt, bool may_be_too_long, Executio
   PressureRise rise(model_->water);
   Approach approach;
   bool broke = false;
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  int restless = 0;
+  for (int iteration = 0; iteration < most_iterations && restless < most_restless; ++iteration) {
     ++iterations_;
     const std::vector<double> before = pressures_of(model_->water);
     if (!solve_flow(dt, execution)) {
@@ -158,6 +161,7 @@ QuasiStatic::Ending QuasiStatic::solve(double dt, bool may_be_too_long, Executio
     model_->rock.model().motion.time = time_ + dt;
     relax(execution);
     broke = broke || broke_;
+    restless = is_at_rest_ ? 0 : restless + 1;
     if (gave_up_ || (may_be_too_long && broke && rise.largest() > largest_rise)) {
       return {false, true, approach.distance()};
     }

@@ -27,8 +27,8 @@ constexpr std::array<std::string_view, 8> table_names = {
     "resolved.toml", "summary.json", "history.csv", "events.csv",
     "fragments.csv", "matrix.pvd",   "cracks.pvd",  checkpoint_name};
 
-[[noreturn]] void refuse(const fs::path& path, const char* reason, const char* allowed) {
-  throw InputError({{}, "--output", path.string(), reason, allowed});
+[[noreturn]] void refuse(const fs::path& path, const char* reason, std::string allowed) {
+  throw InputError({{}, "--output", path.string(), reason, std::move(allowed)});
 }
 
 [[noreturn]] void fail(const fs::path& path, const std::error_code& error) {
@@ -87,8 +87,10 @@ void require_replaceable(const fs::path& path, Existing existing) {
     refuse(path, "the folder is not empty and holds no results of a run", "a new or empty folder");
   }
   if (existing == Existing::refuse) {
+    const bool can_go_on = fs::exists(path / checkpoint_name);
     refuse(path, "the folder holds results of an earlier run",
-           "--force to replace them, or another --output");
+           std::string(can_go_on ? "--resume to go on with an unfinished run, " : "") +
+               "--force to replace them, or another --output");
   }
 }
 
@@ -167,7 +169,7 @@ RunDirectory RunDirectory::open(const fs::path& path, Existing existing) {
 }
 
 RunDirectory RunDirectory::reopen(const fs::path& path) {
-  const auto refuse_to_go_on = [&](const char* reason, const char* allowed) {
+  const auto refuse_to_go_on = [&](const char* reason, std::string allowed) {
     throw InputError({{}, "--resume", path.string(), reason, allowed});
   };
   if (!fs::is_directory(path)) {

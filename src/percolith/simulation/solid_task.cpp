@@ -245,12 +245,19 @@ bool SolidTask::go_on(Observer& observer, const std::function<bool()>& stop) {
   double dt = 0.0;
   const auto row = [&] { report_history(dt, observer); };
   const auto frame = [&] { report_frame(observer); };
-  listen(stop);
+  double begun = time();
+  // Within a long step nothing has happened yet but its iterations.
+  listen([&] {
+    observer.on_progress({begun, end, dt, run_.summary.steps, iterations(),
+                          "fluid and rock settle", run_.broken.count});
+    return stop();
+  });
   // What there is to tell of the start was told.
   StepEnd step{.time = time(), .number = run_.summary.steps, .row = true, .frame = true};
   while (time() < end && !step.stopped && !run_.summary.reached_rest) {
     dig();
-    const double output = clock.next_output(time());
+    begun = time();
+    const double output = clock.next_output(begun);
     const double made = make_step(next_event(output), observer);
     if (gave_up()) {
       checkpoints.report_stop(step, row, frame, observer, run_.execution);

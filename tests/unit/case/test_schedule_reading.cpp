@@ -56,7 +56,7 @@ TEST(ScheduleReading, TableErrors) {
 TEST(ScheduleReading, EntryErrors) {
   EXPECT_EQ(pressure_error("{times=[0, 5, 5], values=[1, 2, 3]}"),
             "--set: error: boundary.left.pressure.times = 5: times do not increase; allowed: times "
-            "that strictly increase");
+            "that strictly increase; for a jump, interpolation = \"step\"");
   EXPECT_EQ(
       pressure_error("{times=[0, \"5\"], values=[1, 2]}"),
       "--set: error: boundary.left.pressure.times = \"5\": missing unit; allowed: a number in "
@@ -142,7 +142,7 @@ TEST_F(ScheduleFile, ErrorsNameTheLine) {
   EXPECT_EQ(
       error_of_flux("{ file = \"pump.csv\" }"),
       "pump.csv:3: error: boundary.right.flux = 0: times do not increase; allowed: times that "
-      "strictly increase");
+      "strictly increase; for a jump, interpolation = \"step\"");
   folder_.write("pump.csv", "t,q\n0,1,2\n");
   EXPECT_EQ(error_of_flux("{ file = \"pump.csv\" }"),
             "pump.csv:2: error: boundary.right.flux.file: 3 cells in a row of a table with 2 "

@@ -66,10 +66,13 @@ TEST(RunDirectory, TakesAFolderThatAKilledRunHasLeftBeforeItBegan) {
 TEST(RunDirectory, KeepsEarlierResultsWithoutForce) {
   const test::TemporaryFolder folder;
   write_results(folder.path());
+  const std::string found = "error: --output = " + folder.path().string() +
+                            ": the folder holds results of an earlier run; allowed: ";
+  const std::string rest = "--force to replace them, or another --output";
   EXPECT_EQ(refusal(folder.path(), Existing::refuse),
-            "error: --output = " + folder.path().string() +
-                ": the folder holds results of an earlier run; allowed: --force to replace them, "
-                "or another --output");
+            found + "--resume to go on with an unfinished run, " + rest);
+  std::filesystem::remove(folder / "checkpoint.bin");
+  EXPECT_EQ(refusal(folder.path(), Existing::refuse), found + rest);
   EXPECT_EQ(test::read_text(folder / "history.csv"), "old");
 }
 
