@@ -169,7 +169,7 @@ RunDirectory RunDirectory::open(const fs::path& path, Existing existing) {
 }
 
 RunDirectory RunDirectory::reopen(const fs::path& path) {
-  const auto refuse_to_go_on = [&](const char* reason, std::string allowed) {
+  const auto refuse_to_go_on = [&](const char* reason, const char* allowed) {
     throw InputError({{}, "--resume", path.string(), reason, allowed});
   };
   if (!fs::is_directory(path)) {
