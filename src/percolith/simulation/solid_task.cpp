@@ -248,8 +248,8 @@ bool SolidTask::go_on(Observer& observer, const std::function<bool()>& stop) {
   double begun = time();
   // Within a long step nothing has happened yet but its iterations.
   listen([&] {
-    observer.on_progress({begun, end, dt, run_.summary.steps, iterations(),
-                          "fluid and rock settle", run_.broken.count});
+    observer.on_progress({begun, end, dt, run_.summary.steps, iterations(), "fluid and rock settle",
+                          run_.broken.count});
     return stop();
   });
   // What there is to tell of the start was told.
