@@ -101,12 +101,11 @@ std::map<std::string, double> step_traffic(const seepage::Model& model) {
     // inflow, storage, void volume; content, carry, pressure, saturation
     bytes["pore contents"] = (3.0 * read + 4.0 * write) * corner;
   } else {
-    // corners of each vertex and whether they are one node; inflow, pressure; of the leaders
-    // storage, void volume, saturation, content and carry
-    bytes["pore contents"] = size_of(model.mesh.vertex_corners.start) +
-                             size_of(model.mesh.vertex_corners.entry) +
-                             static_cast<double>(model.mesh.vertices()) + (read + write) * corner +
-                             (3.0 * read + 2.0 * write) * leader;
+    // corners, storage and void volume of each node; inflow, pressure; of the leaders saturation,
+    // content and carry
+    bytes["pore contents"] = size_of(model.mesh.vertex_corners.entry) +
+                             2.0 * sizeof(double) * static_cast<double>(model.mesh.vertices()) +
+                             (read + write) * corner + (read + 2.0 * write) * leader;
   }
   // number and joint ends of each node, the flows; content, carry, pressure, saturation, volume
   bytes["crack contents"] = broken * (2.0 * sizeof(Index) + 5.0 * sizeof(double)) +

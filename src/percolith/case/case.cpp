@@ -74,14 +74,6 @@ void warn_of_biot(Case& known) {
   }
 }
 
-/// Defaults that depend on other options are put into the setup, so that resolved.toml shows them.
-void choose_for_quasi_static(simulation::Setup& setup) {
-  if (setup.time.scheme == simulation::Scheme::quasi_static) {
-    setup.damping.local = simulation::local_damping(setup);
-    setup.time.balance_tolerance = simulation::balance_tolerance(setup.time);
-  }
-}
-
 }  // namespace
 
 Case read_case(const std::filesystem::path& file, std::span<const std::string> overrides) {
@@ -122,7 +114,6 @@ Case read_case_text(std::string_view text, const std::filesystem::path& file,
   reader.finish();
   choose_defaults(result.setup, result.locations);
   check_rules(result.setup, context);
-  choose_for_quasi_static(result.setup);
   problems.throw_if_any();
   if (result.setup.model.physics == simulation::Physics::coupled) {
     warn_of_biot(result);

@@ -6,7 +6,8 @@
 
 namespace percolith::case_file {
 
-/// Gives options that the user did not write the defaults that depend on other options.
+/// Gives options that the user did not write the defaults that depend on other options, so that
+/// resolved.toml shows them.
 void choose_defaults(simulation::Setup& setup, const KeyLocations& locations);
 
 }  // namespace percolith::case_file

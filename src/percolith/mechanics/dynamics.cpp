@@ -197,6 +197,7 @@ double Dynamics::unbalanced_ratio() const {
 }
 
 EnergyBalance Dynamics::energy(const Execution& execution) const {
+  // What looks at the state leaves the account of the run alone.
   Execution loops(execution.backend(), execution.threads());
   const Motion& m = model_.motion;
   const Displacements u = displacements_before(model_, 0.5 * m.last_step);

@@ -4,20 +4,13 @@
 #include "percolith/mechanics/closed_joints.hpp"
 #include "percolith/mechanics/joint_points.hpp"
 #include "percolith/mechanics/pressed_faces.hpp"
-#include "percolith/mechanics/strain.hpp"
 
 namespace percolith::mechanics {
 
 double elastic_energy_of(const Model& model, Index t) {
-  const Tensor e = triangle_strain(model, t).strain;
-  const Triangles& tri = model.triangles;
-  const Tensor s = material::stress_of(model.material[at(tri.material[at(t)])].stiffness, e);
-  double density = 0.5 * (s.xx * e.xx + s.yy * e.yy + 2.0 * s.xy * e.xy);
-  if (!tri.initial_xx.empty()) {
-    density += tri.initial_xx[at(t)] * e.xx + tri.initial_yy[at(t)] * e.yy +
-               2.0 * tri.initial_xy[at(t)] * e.xy;
-  }
-  return density * model.mesh.area(t);
+  const auto u = load_corners<ScalarLane>(model.motion.ux.data(), model.motion.uy.data(),
+                                          mesh::corner_of(t, 0));
+  return SolidForces(model).strain_energy<ScalarLane>(t, u);
 }
 
 double elastic_energy(const Model& model, const Displacements& u, Execution& execution) {

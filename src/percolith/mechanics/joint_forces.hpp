@@ -73,10 +73,7 @@ private:
     Real rubbed(0.0);
     const auto bonded = c.stiffness > Real(0.0);
     for (std::size_t g = 0; g < 2; ++g) {
-      material::JointMemory<Real> memory{
-          Lane::load(opening_peak_[g] + j),  Lane::load(slip_peak_[g] + j),
-          Lane::load(damage_[g] + j),        Lane::load(past_slope_[g] + j),
-          Lane::load(past_friction_[g] + j), Lane::load(past_slip_[g] + j)};
+      material::JointMemory<Real> memory = reader_.memory<Lane>(j, g);
       const Real opening = place.opening[g];
       const Real slip = place.slip[g];
       const Real damage_before = memory.damage;

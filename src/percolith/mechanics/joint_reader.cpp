@@ -35,6 +35,12 @@ JointReader::JointReader(const Model& model, const JointTable& table, const doub
       factor_(model.joints.factor.empty() ? nullptr : model.joints.factor.data()),
       starts_(!model.joints.opening_start[0].empty()),
       opening_start_{model.joints.opening_start[0].data(), model.joints.opening_start[1].data()},
-      slip_start_{model.joints.slip_start[0].data(), model.joints.slip_start[1].data()} {}
+      slip_start_{model.joints.slip_start[0].data(), model.joints.slip_start[1].data()},
+      opening_peak_{model.joints.opening_peak[0].data(), model.joints.opening_peak[1].data()},
+      slip_peak_{model.joints.slip_peak[0].data(), model.joints.slip_peak[1].data()},
+      damage_{model.joints.damage[0].data(), model.joints.damage[1].data()},
+      past_slope_{model.joints.past.slope[0].data(), model.joints.past.slope[1].data()},
+      past_friction_{model.joints.past.friction[0].data(), model.joints.past.friction[1].data()},
+      past_slip_{model.joints.past.slip[0].data(), model.joints.past.slip[1].data()} {}
 
 }  // namespace percolith::mechanics

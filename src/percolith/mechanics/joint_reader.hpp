@@ -18,7 +18,8 @@ struct OpeningAndSlip {
   std::array<Real, 2> opening, slip;
 };
 
-/// Reads joints in the lanes of a kernel: how they lie, and what their bonds are made of. Views
+/// Reads joints in the lanes of a kernel: how they lie, what their bonds are made of
+/// and what they remember. Views
 /// into the model, which must outlive it.
 class JointReader {
 public:
@@ -92,6 +93,15 @@ public:
     return c;
   }
 
+  /// What bonds remember at integration point `g`.
+  template <class Lane>
+  [[nodiscard]] PERCOLITH_DEVICE material::JointMemory<typename Lane::Real>
+  memory(Index j, std::size_t g) const {
+    return {Lane::load(opening_peak_[g] + j),  Lane::load(slip_peak_[g] + j),
+            Lane::load(damage_[g] + j),        Lane::load(past_slope_[g] + j),
+            Lane::load(past_friction_[g] + j), Lane::load(past_slip_[g] + j)};
+  }
+
 private:
   const double* ux_;
   const double* uy_;
@@ -106,6 +116,8 @@ private:
   const double* factor_;
   bool starts_;
   std::array<const double*, 2> opening_start_, slip_start_;
+  std::array<const double*, 2> opening_peak_, slip_peak_, damage_;
+  std::array<const double*, 2> past_slope_, past_friction_, past_slip_;
 };
 
 }  // namespace percolith::mechanics

@@ -14,14 +14,7 @@ Displacements displacements_before(const Model& model, double back) {
 }
 
 BondEnergy::BondEnergy(const Model& model, const JointTable& table, const Displacements& u)
-    : reader_(model, table, u.ux.data(), u.uy.data()),
-      opening_peak_{model.joints.opening_peak[0].data(), model.joints.opening_peak[1].data()},
-      slip_peak_{model.joints.slip_peak[0].data(), model.joints.slip_peak[1].data()},
-      damage_{model.joints.damage[0].data(), model.joints.damage[1].data()},
-      past_slip_{model.joints.past.slip[0].data(), model.joints.past.slip[1].data()},
-      past_slope_{model.joints.past.slope[0].data(), model.joints.past.slope[1].data()},
-      past_friction_{model.joints.past.friction[0].data(), model.joints.past.friction[1].data()},
-      condition_(model.joints.condition.data()) {
+    : reader_(model, table, u.ux.data(), u.uy.data()), condition_(model.joints.condition.data()) {
   if (!model.pores.joint_share.empty()) {
     push_ = {model.pores.push[0].data(), model.pores.push[1].data()};
     opening_ = {model.pores.opening[0].data(), model.pores.opening[1].data()};

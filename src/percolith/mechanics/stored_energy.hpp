@@ -96,10 +96,7 @@ private:
     using Real = typename Lane::Real;
     Real stored(0.0);
     for (std::size_t g = 0; g < 2; ++g) {
-      material::JointMemory<Real> memory{
-          Lane::load(opening_peak_[g] + j),  Lane::load(slip_peak_[g] + j),
-          Lane::load(damage_[g] + j),        Lane::load(past_slope_[g] + j),
-          Lane::load(past_friction_[g] + j), Lane::load(past_slip_[g] + j)};
+      material::JointMemory<Real> memory = reader_.memory<Lane>(j, g);
       const auto t = material::softening_traction(c, now.opening[g], now.slip[g], memory);
       stored += material::stored_energy(
           c, material::moment_of(c, now.opening[g], now.slip[g], t, memory));
@@ -108,8 +105,6 @@ private:
   }
 
   JointReader reader_;
-  std::array<const double*, 2> opening_peak_, slip_peak_, damage_;
-  std::array<const double*, 2> past_slip_, past_slope_, past_friction_;
   std::array<const double*, 2> push_{}, opening_{};  // null where joints have no pores
   const std::uint8_t* condition_;
 };

@@ -126,9 +126,10 @@ void ExplicitStep::network_changed(const Model& model) {
   const auto& broken = model.cracks.broken_joints();
   if (across_.conductance.empty()) {
     blocks_ = node_blocks(model);
-  }
-  for (std::size_t k = 0; k < broken.size() && !across_.conductance.empty(); ++k) {
-    close_joint(model, broken[k], across_);
+  } else {
+    for (const Index j : broken) {
+      close_joint(model, j, across_);
+    }
   }
   if (fields_ == Fields::pores) {
     return;

@@ -269,6 +269,7 @@ bool SolidTask::go_on(Observer& observer, const std::function<bool()>& stop) {
     observer.on_progress(
         {time(), end, dt, run_.summary.steps, iterations(), limited_by(), run_.broken.count});
   }
+  listen({});
   warn_of_energy(observer);
   return time() >= end || run_.summary.reached_rest;
 }

@@ -22,13 +22,6 @@ using test::CoupledOptions;
 
 constexpr test::Grid grid{.columns = 12, .rows = 12, .jitter = 0.2, .mixed_diagonals = true};
 
-/// A crack from the left side to the middle of a block.
-mesh::GmshMesh notched() {
-  mesh::GmshMesh file = test::make_grid(grid);
-  test::add_row_curve(grid, file, "crack", 6, 0, 6);
-  return file;
-}
-
 /// Water pressed so fast into the crack that the rock breaks.
 CoupledOptions injected() {
   CoupledOptions options;
@@ -56,7 +49,7 @@ TEST_P(Injection, BreaksTheRockAndLosesNeitherFluidNorEnergy) {
   options.joint_stress = GetParam().joint_stress;
   options.fluid_enters = GetParam().fluid_enters;
   options.flow.joints = GetParam().pore_joints;
-  Coupled coupled(notched(), options);
+  Coupled coupled(test::notched(grid), options);
   const auto open_at_start = coupled.water().cracks.broken_joints().size();
   EXPECT_GT(coupled.advance(3000), 3);
   EXPECT_GT(coupled.water().cracks.broken_joints().size(), open_at_start + 3);
@@ -77,7 +70,7 @@ TEST(CoupledStep, GivesTheSameBitsOnAnyNumberOfThreads) {
   std::string reference;
   for (const auto& [backend, threads] :
        {std::pair{Backend::serial, 1}, {Backend::host, 1}, {Backend::host, 2}}) {
-    Coupled coupled(notched(), injected());
+    Coupled coupled(test::notched(grid), injected());
     Execution execution(backend, threads);
     coupled.advance(800, execution);
     if (reference.empty()) {
@@ -91,7 +84,7 @@ TEST(CoupledStep, GivesTheSameBitsOnAnyNumberOfThreads) {
 TEST(CoupledStep, FluidLagsBehindTheTip) {
   CoupledOptions options = injected();
   options.flow.fluid.viscosity = 1.0;
-  Coupled coupled(notched(), options);
+  Coupled coupled(test::notched(grid), options);
   coupled.advance(3000);
   double least = 1.0;
   for (const Index v : coupled.water().cracks.open_nodes()) {
@@ -142,7 +135,7 @@ class AtRest : public testing::TestWithParam<std::tuple<JointStress, mechanics::
 
 /// In-situ stress is total stress, whatever the fluid in the rock: nothing moves.
 TEST_P(AtRest, StartsInEquilibriumWithTheFluidInPlace) {
-  Coupled coupled(notched(), at_rest(std::get<0>(GetParam()), std::get<1>(GetParam())));
+  Coupled coupled(test::notched(grid), at_rest(std::get<0>(GetParam()), std::get<1>(GetParam())));
   coupled.advance(300);
   const auto balance = coupled.rock().energy(Execution());
   // Round-off of stresses of megapascals alone.
@@ -153,7 +146,7 @@ TEST_P(AtRest, StartsInEquilibriumWithTheFluidInPlace) {
 
 /// What is taken out keeps giving its forces, those of its fluid among them, until they fade.
 TEST_P(AtRest, StaysSoWhileAnExcavationKeepsItsSupport) {
-  Coupled coupled(notched(), at_rest(std::get<0>(GetParam()), std::get<1>(GetParam())));
+  Coupled coupled(test::notched(grid), at_rest(std::get<0>(GetParam()), std::get<1>(GetParam())));
   std::vector<Index> opening;
   for (Index t = 0; t < coupled.water().mesh.triangles(); ++t) {
     const Point p = test::centroid(coupled.water().mesh, t);
@@ -173,7 +166,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// Pressure inside pushes on nothing but the rock itself.
 TEST(CoupledStep, MomentumStaysZero) {
-  Coupled coupled(notched(), injected());
+  Coupled coupled(test::notched(grid), injected());
   coupled.advance(1500);
   const mechanics::Model& rock = coupled.rock().model();
   Point momentum{};
@@ -204,7 +197,7 @@ TEST(Drainage, LetsTheFluidOutOfWhatIsTakenOut) {
     seepage::set_pores(water, full);
     seepage::set_cracks(water, full);
   };
-  Coupled coupled(notched(), options);
+  Coupled coupled(test::notched(grid), options);
   const Index number = add_drainage(coupled.water(), "excavation.opening", 2e5);
   const std::vector<Index> opening{0, 1, 2};
   coupled.rock().take_out(opening, 1.0);
@@ -311,7 +304,7 @@ TEST(StepLimit, CountsAllFacesThatACornerPressesThroughTheFluid) {
 TEST(StepLimit, CountsTheFluidInThinCracks) {
   CoupledOptions options = injected();
   options.flow.fracture[0].initial_aperture = 1e-6;
-  Coupled coupled(notched(), options);
+  Coupled coupled(test::notched(grid), options);
   const double limit = coupled.limit().motion(coupled.model());
   EXPECT_LT(limit, coupled.limit().rock());
   EXPECT_LT(limit, 0.5 * coupled.limit().rock());

@@ -16,13 +16,6 @@ using test::CoupledOptions;
 
 constexpr test::Grid grid{.columns = 6, .rows = 6, .jitter = 0.15, .mixed_diagonals = true};
 
-/// A crack from the left side to the middle of a block.
-mesh::GmshMesh notched() {
-  mesh::GmshMesh file = test::make_grid(grid);
-  test::add_row_curve(grid, file, "crack", 3, 0, 3);
-  return file;
-}
-
 /// Water pressed into the crack until the rock breaks, through which it leaks.
 CoupledOptions injected(PoreFlow pore_flow, double exchange = 1e-8) {
   CoupledOptions options;
@@ -68,8 +61,8 @@ double difference(const seepage::Model& a, const seepage::Model& b) {
 /// By how much both ways differ once the first joint has broken and some time after, with steps of
 /// a share of the longest.
 double difference_after_breakage(double share) {
-  Coupled one(notched(), injected(PoreFlow::explicit_));
-  Coupled other(notched(), injected(PoreFlow::implicit));
+  Coupled one(test::notched(grid), injected(PoreFlow::explicit_));
+  Coupled other(test::notched(grid), injected(PoreFlow::implicit));
   const double longest = 0.5 * one.limit().motion(one.model());
   Execution execution;
   int broke = 0;
@@ -102,7 +95,7 @@ TEST_P(Breakage, LosesNeitherFluidNorEnergy) {
   CoupledOptions options = injected(PoreFlow::implicit, GetParam().exchange);
   options.flow.joints = GetParam().pore_joints;
   options.fluid_enters = GetParam().fluid_enters;
-  Coupled coupled(notched(), options);
+  Coupled coupled(test::notched(grid), options);
   const double held = crack_fluid(coupled.water());
   EXPECT_GT(coupled.advance(800), 0);
   EXPECT_GT(coupled.water().cracks.broken_joints().size(), 3U);
@@ -125,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// Faces that have just come about share the pressure of their crack as those from the start do.
 TEST(ImplicitPores, GiveNewCracksAndTheirFacesOnePressure) {
-  Coupled coupled(notched(), injected(PoreFlow::implicit, test::infinity));
+  Coupled coupled(test::notched(grid), injected(PoreFlow::implicit, test::infinity));
   const seepage::Model& water = coupled.water();
   double largest = 0.0;
   int broke = 0;
@@ -151,8 +144,8 @@ TEST(ImplicitPores, GiveNewCracksAndTheirFacesOnePressure) {
 /// Pressures are those of a large coefficient, also once rock has broken; so is what leaks as long
 /// as nothing is partly empty, where one pressure means one saturation too.
 TEST(ImplicitPores, InfiniteExchangeIsTheLimitOfALargeOne) {
-  Coupled tied(notched(), injected(PoreFlow::implicit, test::infinity));
-  Coupled large(notched(), injected(PoreFlow::implicit, 1e-3));
+  Coupled tied(test::notched(grid), injected(PoreFlow::implicit, test::infinity));
+  Coupled large(test::notched(grid), injected(PoreFlow::implicit, 1e-3));
   const double dt = 0.5 * tied.limit().motion(tied.model());
   Execution execution;
   const auto advance = [&](int steps) {
@@ -174,7 +167,7 @@ TEST(ImplicitPores, GiveTheSameBitsOnAnyNumberOfThreads) {
   std::string reference;
   for (const auto& [backend, threads] :
        {std::pair{Backend::serial, 1}, {Backend::host, 1}, {Backend::host, 2}}) {
-    Coupled coupled(notched(), injected(PoreFlow::implicit));
+    Coupled coupled(test::notched(grid), injected(PoreFlow::implicit));
     Execution execution(backend, threads);
     EXPECT_GT(coupled.advance(600, execution), 0);
     if (reference.empty()) {

@@ -19,12 +19,6 @@ using test::CoupledOptions;
 
 constexpr test::Grid grid{.columns = 6, .rows = 6, .jitter = 0.15, .mixed_diagonals = true};
 
-mesh::GmshMesh notched() {
-  mesh::GmshMesh file = test::make_grid(grid);
-  test::add_row_curve(grid, file, "crack", 3, 0, 3);
-  return file;
-}
-
 /// Holds the lower and the upper side, or all of them.
 mechanics::SupportSet held(mechanics::Model& rock, bool all = false) {
   std::vector<mechanics::Held> corners;
@@ -85,7 +79,7 @@ double full_cracks(const seepage::Model& water) {
 /// Fluid and room agree at the pressure that was found, which the contents do not show: V (1 + p/K)
 /// is what the crack holds.
 TEST(QuasiStatic, FindsThePressureThatHoldsTheCrackOpen) {
-  Coupled coupled(notched(), pumped(test::strong()));
+  Coupled coupled(test::notched(grid), pumped(test::strong()));
   QuasiStatic scheme(coupled.model(), exact(coupled));
   Execution execution;
   for (int hour = 0; hour < 2; ++hour) {
@@ -119,7 +113,7 @@ CoupledOptions confined() {
 
 /// An hour of it in steps of `dt` seconds.
 std::size_t broken_after_an_hour(double dt) {
-  Coupled coupled(notched(), confined());
+  Coupled coupled(test::notched(grid), confined());
   QuasiStatic scheme(coupled.model(), {1e-2, 1e-3, 0.9 * coupled.limit().rock()});
   Execution execution;
   std::size_t broke = 0;
@@ -141,7 +135,7 @@ TEST(QuasiStatic, HowMuchBreaksDoesNotDependOnTheStep) {
 
 /// What breaks in steps that are given up does not count, and what does has the time of its part.
 TEST(QuasiStatic, EveryJointBreaksOnceWithinItsStep) {
-  Coupled coupled(notched(), confined());
+  Coupled coupled(test::notched(grid), confined());
   QuasiStatic scheme(coupled.model(), {1e-2, 1e-3, 0.9 * coupled.limit().rock()});
   Execution execution;
   const auto broke = scheme.advance(3600.0, execution).broke;
@@ -155,7 +149,7 @@ TEST(QuasiStatic, EveryJointBreaksOnceWithinItsStep) {
 }
 
 TEST(QuasiStatic, AStepThatIsGivenUpLeavesNothingBehind) {
-  Coupled coupled(notched(), confined());
+  Coupled coupled(test::notched(grid), confined());
   QuasiStatic scheme(coupled.model(), {1e-2, 1e-3, 0.9 * coupled.limit().rock()});
   Execution execution;
   scheme.advance(600.0, execution);
@@ -179,7 +173,7 @@ TEST(QuasiStatic, GivesTheSameBitsOnAnyNumberOfThreads) {
   std::string reference;
   for (const auto& [backend, threads] :
        {std::pair{Backend::serial, 1}, {Backend::host, 1}, {Backend::host, 2}}) {
-    Coupled coupled(notched(), confined());
+    Coupled coupled(test::notched(grid), confined());
     QuasiStatic scheme(coupled.model(), {1e-1, 5e-2, 0.9 * coupled.limit().rock()});
     Execution execution(backend, threads);
     scheme.advance(60.0, execution);
@@ -191,7 +185,7 @@ TEST(QuasiStatic, GivesTheSameBitsOnAnyNumberOfThreads) {
 }
 
 TEST(QuasiStatic, AStepWithoutSolutionTellsWhatIsLacking) {
-  Coupled coupled(notched(), pumped(test::strong()));
+  Coupled coupled(test::notched(grid), pumped(test::strong()));
   // Forces so far out of balance leave no pressure settled.
   QuasiStatic scheme(coupled.model(), {1e-12, 0.5, 0.9 * coupled.limit().rock()});
   Execution execution;

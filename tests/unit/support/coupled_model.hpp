@@ -16,6 +16,13 @@
 // Rock with fluid in it for tests.
 namespace percolith::test {
 
+/// A grid with a crack, the curve "crack", from the left side to the middle.
+inline mesh::GmshMesh notched(const Grid& grid) {
+  mesh::GmshMesh file = make_grid(grid);
+  add_row_curve(grid, file, "crack", grid.rows / 2, 0, grid.columns / 2);
+  return file;
+}
+
 struct CoupledOptions {
   SolidOptions solid{};
   FlowOptions flow{};
