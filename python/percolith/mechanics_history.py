@@ -21,7 +21,14 @@ _EXCHANGED = {"external_work_J_per_m": "external work", "fluid_work_J_per_m": "f
               "gravity_J_per_m": "gravity",
               "fracture_J_per_m": "fracture", "friction_J_per_m": "friction",
               "damping_J_per_m": "damping", "absorbed_J_per_m": "absorbed"}
+_INPUT = ("external_work_J_per_m", "fluid_work_J_per_m", "gravity_J_per_m")
 _SMALL = 1e-3  # share of the largest work of a reaction below which a boundary counts as not loaded
+# Share of the largest energy of a run below which the work of all reactions is noise. Where fluid
+# presses on a whole ring, or on opposite sides, the reaction is what rounding and an uneven mesh
+# make of zero, and so is the displacement; their product was seen to be 1e-8 of the energy. It is
+# of the size of the energy wherever a load deforms the rock. Work is compared rather than force,
+# because the end of a slender arm bends under a force far below those inside it.
+_NOISE = 1e-6
 _FLAT = 5e-3  # share of the largest curve of a panel below which another lies on its zero line
 _FALL = 0.05  # share of the largest reaction that it must lose again to be called a peak
 _MINUS = "\N{MINUS SIGN}"
@@ -71,8 +78,17 @@ def _reactions(history: Table) -> dict[str, str]:
     return _present(history, dict(sorted(curves.items())))
 
 
+def _largest_energy(history: Table) -> float:
+    """Of what is held and what comes in. What damping takes does not count: where the motion only
+    serves to find a balance it may be anything."""
+    names = [name for name in (*_HELD, *_INPUT) if name in history]
+    return max((float(np.nanmax(np.abs(history[name]), initial=0.0)) for name in names),
+               default=0.0)
+
+
 def load_curves(history: Table) -> list[LoadCurve]:
-    """One a loaded boundary or body: along the axis on which its reaction does most work."""
+    """One a loaded boundary or body: along the axis on which its reaction does most work. None
+    where no reaction does more work than noise would."""
     best: dict[str, tuple[float, LoadCurve]] = {}
     for column, label in _reactions(history).items():
         moved = column.replace(".reaction_", ".displacement_").replace("_N_per_m", "_m")
@@ -84,7 +100,8 @@ def load_curves(history: Table) -> list[LoadCurve]:
         if name not in best or work > best[name][0]:
             best[name] = (work, curve)
     largest = max((work for work, _ in best.values()), default=0.0)
-    return [curve for work, curve in best.values() if work > 0.0 and work >= _SMALL * largest]
+    least = max(_SMALL * largest, _NOISE * _largest_energy(history))
+    return [curve for work, curve in best.values() if work > 0.0 and work >= least]
 
 
 def _draw_group(axes, history: Table, time: Scale, curves: dict[str, str], unit: str,
