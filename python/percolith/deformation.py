@@ -12,28 +12,11 @@ from percolith.run_directory import Frame
 from percolith.vtu import Grid
 
 FROM_THE_START = 0  # of the field `mode`: a fracture that never was bonded
-_VISIBLE = 0.03  # of the model's extent: the largest displacement of a picture made to be seen
 
 
 def displacement(matrix: Grid) -> np.ndarray:
     """Displacement (m) of every point, (n, 2)."""
     return matrix.point_data["displacement_m"]
-
-
-def automatic_scale(matrix: Grid) -> float:
-    """Factor of the displacements that lets the deformation just be seen: 1, 2 or 5 times a power
-    of ten. It is 1 where the displacements are as large as the triangles, as in a collapse, or can
-    be seen as they are."""
-    largest = float(np.nanmax(np.hypot(*displacement(matrix).T), initial=0.0))
-    corners = matrix.points[matrix.cells]
-    edge = float(np.median(np.hypot(*(corners - np.roll(corners, 1, axis=1)).reshape(-1, 2).T)))
-    if largest == 0.0 or largest >= edge:
-        return 1.0
-    wanted = _VISIBLE * float(np.ptp(matrix.points, axis=0).max()) / largest
-    if wanted <= 1.0:
-        return 1.0
-    power = 10.0 ** np.floor(np.log10(wanted))
-    return float(power * max(step for step in (1, 2, 5) if step * power <= wanted * (1 + 1e-9)))
 
 
 def can_deform(matrix: Grid) -> bool:
@@ -66,8 +49,8 @@ def crack_faces(frame: Frame) -> CrackFaces:
     _, place = np.unique(both, axis=0, return_inverse=True)
     place = place.ravel()
     edges = np.concatenate([matrix.cells[:, pair] for pair in ([0, 1], [1, 2], [2, 0])])
-    edge_key = _pair_keys(place[edges], len(both))
-    segment_key = _pair_keys(place[len(matrix.points):][cracks.cells], len(both))
+    edge_key = pair_keys(place[edges], len(both))
+    segment_key = pair_keys(place[len(matrix.points):][cracks.cells], len(both))
     chosen = np.flatnonzero(np.isin(edge_key, segment_key))
     order = np.argsort(segment_key, kind="stable")
     found = np.searchsorted(segment_key[order], edge_key[chosen])
@@ -110,6 +93,6 @@ def damage_since_the_start(frame: Frame) -> np.ndarray:
     return damage
 
 
-def _pair_keys(pairs: np.ndarray, count: int) -> np.ndarray:
+def pair_keys(pairs: np.ndarray, count: int) -> np.ndarray:
     """A number for each pair of numbers below `count`, whatever their order."""
     return pairs.min(axis=1).astype(np.int64) * count + pairs.max(axis=1)

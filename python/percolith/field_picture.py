@@ -17,7 +17,7 @@ from percolith.fine_triangles import refine
 from percolith.flow_fields import LABEL, flux, flux_size, point_values
 from percolith.model_figure import ModelFigure, moment, shape, wrapped
 from percolith.run_directory import Frame, RunDirectory
-from percolith.view import View, split, view_of_frame
+from percolith.view import View, shown_parts, view_of_frame
 from percolith.vtu import Grid
 
 _ROCK, _CRACKS = "viridis", "inferno"
@@ -109,13 +109,13 @@ def _title(run: RunDirectory, frame: Frame, field: str, view: View, figure) -> s
 def field_figure(run: RunDirectory, frame: Frame, field: str, view: View, arrows: bool = False):
     """A figure of `field` at the time of `frame`. Raises RunDirectoryError where the run has no
     such field."""
-    model = ModelFigure(view.window, second_bar=view.cracks is not None)
+    model = ModelFigure(view, second_bar=view.cracks is not None)
     title = _title(run, frame, field, view, model.figure)
-    frame, bodies = split(run, frame)
+    frame, bodies = shown_parts(run, frame, view)
     points = deformed_points(frame.matrix, view.scale)
     draw_bodies(model.axes, bodies, view.scale)
     rock = _draw_rock(model.axes, frame, points, field, view)
-    if arrows or field == "flux":
+    if (arrows or field == "flux") and len(frame.matrix.cells):
         _draw_arrows(model.axes, frame, points)
     if frame.cracks is not None and len(frame.cracks.cells):
         _draw_cracks(model, frame, points, field, view)

@@ -61,7 +61,7 @@ def refine(corners: np.ndarray, values: np.ndarray, step: float,
     if smallest > 0.0:
         longest = np.hypot(*(corners - np.roll(corners, 1, axis=1)).T).max(axis=0)
         pieces = np.minimum(pieces, np.maximum(longest / smallest, 1.0).astype(int))
-    fine_corners, fine_values = [], []
+    fine_corners, fine_values = [np.empty((0, 3, 2))], [np.empty(0)]
     for number in np.unique(pieces):
         chosen = pieces == number
         parts = barycentric_parts(int(number))

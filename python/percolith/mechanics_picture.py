@@ -27,7 +27,7 @@ from percolith.mechanics_fields import (
 )
 from percolith.model_figure import ModelFigure, moment, shape, wrapped
 from percolith.run_directory import Frame, RunDirectory
-from percolith.view import View, split, view_of_frame
+from percolith.view import View, shown_parts, view_of_frame
 
 __all__ = ["MODES", "draw_mechanics", "mechanics_figure"]
 
@@ -61,10 +61,17 @@ def _draw_fragments(axes, frame: Frame, points: np.ndarray) -> None:
         rasterized=True, cmap=colours, norm=plt.Normalize(-0.5, len(count) - 0.5)), autolim=False)
 
 
-def _draw_crosses(axes, frame: Frame, points: np.ndarray, field: str) -> list[Line2D]:
+def _cross_handles() -> list[Line2D]:
+    """Entries of the legend."""
+    return [Line2D([], [], color=_TENSION, linewidth=2.2, label="tension"),
+            Line2D([], [], color=_COMPRESSION, linewidth=2.2, label="compression")]
+
+
+def _draw_crosses(axes, frame: Frame, points: np.ndarray, field: str) -> None:
     """Principal stresses at about 20 places across the model: direction, size and sign. The stress
-    of the picture sets the length; the other is cut where it would be longer than a place. Returns
-    the entries of the legend."""
+    of the picture sets the length; the other is cut where it would be longer than a place."""
+    if not len(points):
+        return
     data = frame.matrix.cell_data
     stress = np.stack([array_of(data, name) for name in STRESSES.values()], axis=1)
     direction = array_of(data, "principal_direction")
@@ -86,14 +93,13 @@ def _draw_crosses(axes, frame: Frame, points: np.ndarray, field: str) -> list[Li
         axes.add_collection(LineCollection(
             np.concatenate(lines), colors=colour, linewidths=1.3,
             path_effects=[Stroke(linewidth=2.6, foreground="white"), Normal()]), autolim=False)
-    return [Line2D([], [], color=_TENSION, linewidth=2.2, label="tension"),
-            Line2D([], [], color=_COMPRESSION, linewidth=2.2, label="compression")]
 
 
 def _title(run: RunDirectory, frame: Frame, field: str, view: View, figure) -> str:
     """What the picture shows, in lines that fit the figure."""
     name = LABEL[field].split(",")[0]
-    name = f"{fragment_count(frame)} fragments" if field == "fragments" else name
+    if field == "fragments":
+        name = f"{fragment_count(frame)} fragments" + " in all" * view.is_part
     return "\n".join(wrapped(run.title, figure)
                      + [f"{name}, {moment(run, frame)}, {shape(view)}"])
 
@@ -105,7 +111,8 @@ def _draw_values(model: ModelFigure, frame: Frame, points: np.ndarray, field: st
         return
     values = values_of(frame, field)
     picture = _draw_triangles(model.axes, frame, points, values, field, view)
-    beyond = "max" if field in VECTORS and np.nanmax(values) > view.rock.high else "neither"
+    is_beyond = field in VECTORS and np.nanmax(values, initial=0.0) > view.rock.high
+    beyond = "max" if is_beyond else "neither"
     model.colour_bar(picture, view.rock.scale.label(LABEL[field]),
                      "both" if field in STRESSES else beyond)
 
@@ -116,9 +123,9 @@ def mechanics_figure(run: RunDirectory, frame: Frame, field: str, view: View):
     shows_modes = field == "damage" or view.shows_modes
     has_crosses = field in STRESSES and not shows_modes
     rows = 2 if field == "damage" or len(view.modes) > 3 else 1
-    model = ModelFigure(view.window, rows if shows_modes else int(has_crosses))
+    model = ModelFigure(view, rows if shows_modes else int(has_crosses))
     title = _title(run, frame, field, view, model.figure)
-    frame, bodies = split(run, frame)
+    frame, bodies = shown_parts(run, frame, view)
     points = deformed_points(frame.matrix, view.scale)
     draw_bodies(model.axes, bodies, view.scale)
     _draw_values(model, frame, points, field, view)
@@ -128,7 +135,8 @@ def mechanics_figure(run: RunDirectory, frame: Frame, field: str, view: View):
     else:
         draw_thin(model.axes, frame, points)
     if has_crosses:
-        model.legend(_draw_crosses(model.axes, frame, points, field), 2)
+        _draw_crosses(model.axes, frame, points, field)
+        model.legend(_cross_handles(), 2)
     model.axes.set_title(title, fontsize=11)
     return model.figure
 

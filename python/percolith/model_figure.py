@@ -20,7 +20,8 @@ class ModelFigure:
     """A figure that suits the shape of the model, with its axes; wide models get the bars below.
     """
 
-    def __init__(self, window: np.ndarray, legend_rows: int = 0, second_bar: bool = False):
+    def __init__(self, view: View, legend_rows: int = 0, second_bar: bool = False):
+        window = view.window
         width, height = window[1] - window[0]
         self.is_wide = width > 2.2 * height
         size = (8.0, 8.0 * height / width + 1.75) if self.is_wide else (
@@ -29,7 +30,7 @@ class ModelFigure:
         self.figure, self.axes = plt.subplots(
             figsize=np.array(size) + bar + [0.0, legend_rows * _LEGEND_ROW], layout="constrained")
         self.axes.set_aspect("equal")
-        margin = 0.01 * max(width, height)
+        margin = 0.0 if view.is_part else 0.01 * max(width, height)
         self.axes.set_xlim(window[0, 0] - margin, window[1, 0] + margin)
         self.axes.set_ylim(window[0, 1] - margin, window[1, 1] + margin)
         self.axes.set_xlabel("x (m)")

@@ -9,11 +9,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from percolith.colour_range import ColourRange
-from percolith.deformation import automatic_scale, can_deform, deformed_points
+from percolith.deformation import can_deform, deformed_points
+from percolith.exaggeration import automatic_scale
 from percolith.flow_fields import FIELDS, crack_values, rock_and_crack_ranges, rock_values
 from percolith.mechanics_fields import range_of_values, rock_and_bodies, values_of
 from percolith.run_directory import Frame, RunDirectory
 from percolith.vtu import Grid
+from percolith.window import check_shows, visible
 
 STILL, ANIMATED = 256, 64  # colours of the map
 _PIXELS = 700  # along the longer side of the window
@@ -30,6 +32,7 @@ class View:
     modes: tuple[int, ...]  # of the field `mode` that occur
     shows_modes: bool  # whether cracks are told apart by their mode whatever the field
     colours: int  # number of different ones
+    is_part: bool = False  # whether the window was asked for, and may cut the model
 
     @property
     def step(self) -> float:
@@ -63,20 +66,39 @@ def _ranges(field: str, rock: list[np.ndarray], cracks: list[np.ndarray],
     return range_of_values(field, joined), None
 
 
-def view_of(run: RunDirectory, frames: Sequence[Callable[[], Frame]], field: str,
-            scale: float | None = None, shows_modes: bool = False, colours: int = STILL) -> View:
-    """The view of a field that suits all frames, which `frames` read one after the other. `scale`
-    multiplies the displacements; None stands for one that suits the last frame. Raises
-    RunDirectoryError where there is no such field."""
+def shown_parts(run: RunDirectory, frame: Frame, view: View) -> tuple[Frame, Grid | None]:
+    """The rock as far as the view shows it, and the rigid bodies."""
+    frame, bodies = split(run, frame)
+    return visible(frame, view.scale, view.window) if view.is_part else frame, bodies
+
+
+def _scale(run: RunDirectory, frames: Sequence[Callable[[], Frame]],
+           window: np.ndarray | None) -> float:
+    """A factor of the displacements that shows those of the last frame and suits all."""
     last = frames[-1]().matrix
+    if not can_deform(last):
+        return 1.0
+    return automatic_scale(last, (split(run, read())[0].matrix for read in frames), window)
+
+
+def view_of(run: RunDirectory, frames: Sequence[Callable[[], Frame]], field: str,
+            scale: float | None = None, shows_modes: bool = False, colours: int = STILL,
+            window: np.ndarray | None = None) -> View:
+    """The view of a field that suits all frames, which `frames` read one after the other. `scale`
+    multiplies the displacements; None stands for `automatic_scale`. `window` (2, 2) is what is to
+    be shown, in m; None stands for all. Raises RunDirectoryError where there is no such field, or
+    nothing in the window."""
     if scale is None:
-        scale = automatic_scale(last) if can_deform(last) else 1.0
-    ends, rock, cracks, modes = [], [], [], set()
+        scale = _scale(run, frames, window)
+    ends, rock, cracks, modes, count = [], [], [], set(), 0
     for read in frames:
         frame = read()
         points = deformed_points(frame.matrix, scale)
         ends.append([points.min(axis=0), points.max(axis=0)])
+        deforms = can_deform(frame.matrix)
         frame, _ = split(run, frame)
+        frame = frame if window is None else visible(frame, scale, window)
+        count += len(frame.matrix.cells)
         modes |= _modes(frame)
         if field in FIELDS:
             rock.append(rock_values(frame, field))
@@ -84,20 +106,23 @@ def view_of(run: RunDirectory, frames: Sequence[Callable[[], Frame]], field: str
         else:
             rock.append(values_of(frame, field))
     low, high = np.array(ends).transpose(1, 0, 2)
-    of_rock, of_cracks = _ranges(field, rock, cracks, can_deform(last))
-    return View(np.stack([low.min(axis=0), high.max(axis=0)]), scale, of_rock, of_cracks,
-                tuple(sorted(modes)), shows_modes, colours)
+    whole = np.stack([low.min(axis=0), high.max(axis=0)])
+    if window is not None:
+        check_shows(count, window, whole)
+    of_rock, of_cracks = _ranges(field, rock, cracks, deforms)
+    return View(whole if window is None else window, scale, of_rock, of_cracks,
+                tuple(sorted(modes)), shows_modes, colours, window is not None)
 
 
 def view_of_frame(run: RunDirectory, frame: Frame, field: str, scale: float | None = None,
-                  shows_modes: bool = False) -> View:
+                  shows_modes: bool = False, window: np.ndarray | None = None) -> View:
     """The view of one picture."""
-    return view_of(run, [lambda: frame], field, scale, shows_modes)
+    return view_of(run, [lambda: frame], field, scale, shows_modes, window=window)
 
 
 def view_of_times(run: RunDirectory, times: Sequence[float], field: str,
                   scale: float | None = None, shows_modes: bool = False,
-                  colours: int = STILL) -> View:
+                  colours: int = STILL, window: np.ndarray | None = None) -> View:
     """The view of the frames at these times (s)."""
     frames = [lambda time=time: run.frame(time) for time in times]
-    return view_of(run, frames, field, scale, shows_modes, colours)
+    return view_of(run, frames, field, scale, shows_modes, colours, window)

@@ -8,8 +8,9 @@ from matplotlib.axes import Axes
 from percolith import RunDirectory, mechanics_history, plot
 from percolith.b_value import BIN_WIDTH, b_value, reason_for_none
 from percolith.colours import distinct_colour
-from percolith.deformation import automatic_scale, crack_faces, deformed_points
+from percolith.deformation import crack_faces, deformed_points
 from percolith.event_picture import draw_events, shown_window
+from percolith.exaggeration import automatic_scale
 from percolith.mechanics_fields import fragment_count
 from percolith.mechanics_history import LoadCurve, load_curves
 from percolith.mechanics_picture import MODES, draw_mechanics
