@@ -99,12 +99,14 @@ def encode(images: list[Image.Image], largest: int = LARGEST_FILE) -> bytes:
 
 
 def draw_animation(run: RunDirectory, field: str | None = None, path: Path | None = None,
-                   scale: float | None = None) -> Path:
+                   scale: float | None = None, window: np.ndarray | None = None) -> Path:
     """Writes the frames of `field` as a GIF to `path`, or to FIELD.gif in the run directory, and
     returns where. Without `field` it is the pressure of a run with flow, else the first principal
     stress. Cracks have the colours of their pressure in pictures of flow, and else of their mode.
-    `scale` multiplies the displacements; None stands for one that suits the last frame. Raises
-    RunDirectoryError where the run has no such field, or fewer than two frames."""
+    `scale` multiplies the displacements; None stands for one that suits all frames. `window`
+    gives lower left and upper right end (2, 2) of what is shown, in m; None stands for all. Raises
+    RunDirectoryError where the run has no such field, nothing in the window, or fewer than two
+    frames."""
     field = field or default_field(run)
     check_field(run, field)
     check_scale(run, scale)
@@ -112,7 +114,7 @@ def draw_animation(run: RunDirectory, field: str | None = None, path: Path | Non
         raise RunDirectoryError(f"{run.path}: an animation needs two frames; the case can ask for "
                                 "them by output.interval or output.times")
     times = thinned(run.times, MOST_FRAMES)
-    view = view_of_times(run, times, field, scale, run.has_mechanics, ANIMATED)
+    view = view_of_times(run, times, field, scale, run.has_mechanics, ANIMATED, window)
     path = path or run.path / f"{field}.gif"
     path.write_bytes(encode([_image(run, time, field, view) for time in times]))
     return path

@@ -11,6 +11,7 @@ from matplotlib.collections import LineCollection
 
 from percolith.b_value import BValue, b_value, reason_for_none
 from percolith.colours import BLACK, BLUE, GREEN, RED
+from percolith.outline import outline_of
 from percolith.run_directory import RunDirectory, Table
 from percolith.units import prefix_scale, time_scale
 
@@ -36,18 +37,15 @@ def _scatter(axes, events: Table, x: np.ndarray, y: np.ndarray, share: float = 1
         if chosen.any():
             axes.scatter(x[chosen], y[chosen], s=sizes[chosen], color=colour, marker=marker,
                          alpha=0.7, linewidths=0.0, label=f"{mode} ({chosen.sum()})")
-    axes.legend(fontsize="small", frameon=False, loc="lower left", bbox_to_anchor=(0.0, 1.0),
-                borderpad=0.0, ncols=3, handletextpad=0.2)
+    if len(events):
+        axes.legend(fontsize="small", frameon=False, loc="lower left", bbox_to_anchor=(0.0, 1.0),
+                    borderpad=0.0, ncols=3, handletextpad=0.2)
 
 
 def _outline(run: RunDirectory) -> np.ndarray:
-    """Undeformed edges of the model that only one triangle has, (n, 2, 2)."""
+    """Ends of the undeformed outline of the model, (n, 2, 2)."""
     matrix = run.frame().matrix
-    places, number = np.unique(matrix.points, axis=0, return_inverse=True)
-    cells = number.ravel()[matrix.cells]
-    edges = np.sort(np.concatenate([cells[:, pair] for pair in ([0, 1], [1, 2], [2, 0])]), axis=1)
-    single, count = np.unique(edges, axis=0, return_counts=True)
-    return places[single[count == 1]]
+    return matrix.points[outline_of(matrix).points]
 
 
 def shown_window(outline: np.ndarray, places: np.ndarray) -> np.ndarray:
@@ -63,13 +61,19 @@ def shown_window(outline: np.ndarray, places: np.ndarray) -> np.ndarray:
     return np.stack([low - margin, high + margin])
 
 
-def _draw_places(axes, run: RunDirectory, events: Table) -> None:
+def _draw_places(axes, run: RunDirectory, events: Table, window: np.ndarray | None) -> None:
+    ends = window
+    if window is not None:
+        places = np.stack([events["x_m"], events["y_m"]], axis=1)
+        events = events.where(((places >= window[0]) & (places <= window[1])).all(axis=1))
     _scatter(axes, events, events["x_m"], events["y_m"], _SMALLER)
     if run.times:
         outline = _outline(run)
         axes.add_collection(LineCollection(outline, colors="#808080", linewidths=0.8),
                             autolim=False)
-        ends = shown_window(outline, np.stack([events["x_m"], events["y_m"]], axis=1))
+        if window is None:
+            ends = shown_window(outline, np.stack([events["x_m"], events["y_m"]], axis=1))
+    if ends is not None:
         axes.set_xlim(ends[:, 0])
         axes.set_ylim(ends[:, 1])
     axes.set_aspect("equal", adjustable="box")
@@ -115,10 +119,11 @@ def _draw_numbers(axes, events: Table) -> None:
     axes.set_ylabel("Number of events of M or more")
 
 
-def draw_events(run: RunDirectory, path: Path) -> Path | None:
+def draw_events(run: RunDirectory, path: Path, window: np.ndarray | None = None) -> Path | None:
     """Writes four panels to `path` and returns it: magnitudes over time, places, released energy,
-    and the numbers over the magnitude with the b-value. None, and no file, where no joint
-    broke."""
+    and the numbers over the magnitude with the b-value. None, and no file, where no joint broke.
+    `window` gives lower left and upper right end (2, 2) of the map of places, in m; the other
+    panels count every event."""
     events = run.events
     if not len(events):
         return None
@@ -127,7 +132,7 @@ def draw_events(run: RunDirectory, path: Path) -> Path | None:
     _scatter(grid[0, 0], events, events["time_s"] / time.factor, events["magnitude"])
     grid[0, 0].set_xlabel(time.label("Time"))
     grid[0, 0].set_ylabel("Magnitude M")
-    _draw_places(grid[0, 1], run, events)
+    _draw_places(grid[0, 1], run, events, window)
     _draw_energy(grid[1, 0], events, time)
     _draw_numbers(grid[1, 1], events)
     for axes in (grid[0, 0], grid[1, 0], grid[1, 1]):

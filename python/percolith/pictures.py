@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
+
 from percolith.crack_growth_picture import draw_crack_growth
 from percolith.event_picture import draw_events
 from percolith.field_picture import draw_field
@@ -55,9 +57,10 @@ def _draw_one(run: RunDirectory, frame: Frame, field: str, path: Path, arrows: b
     return draw_mechanics(run, frame, field, path, view=view)
 
 
-def _draw_series(run: RunDirectory, field: str, arrows: bool, scale: float | None) -> list[Path]:
+def _draw_series(run: RunDirectory, field: str, arrows: bool, scale: float | None,
+                 window: np.ndarray | None) -> list[Path]:
     """A picture a frame, `FIELD_NNNN.png` in the run directory, all with one view."""
-    view = view_of_times(run, run.times, field, scale, shows_modes(run))
+    view = view_of_times(run, run.times, field, scale, shows_modes(run), window=window)
     return [_draw_one(run, run.frame(time), field, run.path / f"{field}_{i:04d}.png", arrows, view)
             for i, time in enumerate(run.times)]
 
@@ -73,19 +76,20 @@ def _default_fields(run: RunDirectory, frame: Frame) -> list[str]:
 
 
 def _draw_fields(run: RunDirectory, field: str | None, time: float | str, arrows: bool,
-                 output: Path | None, scale: float | None) -> list[Path]:
+                 output: Path | None, scale: float | None,
+                 window: np.ndarray | None) -> list[Path]:
     first = field or ("pressure" if run.has_flow else "displacement")
     if time == "all":
-        return _draw_series(run, first, arrows, scale)
+        return _draw_series(run, first, arrows, scale, window)
     frame = run.frame(None if time == "last" else time)
     fields = [first] if field or output else _default_fields(run, frame)
     return [_draw_one(run, frame, name, output or run.path / f"{name}.png",
                       arrows and name in FIELDS,
-                      view_of_frame(run, frame, name, scale, shows_modes(run)))
+                      view_of_frame(run, frame, name, scale, shows_modes(run), window))
             for name in fields]
 
 
-def _draw_tables(run: RunDirectory) -> list[Path]:
+def _draw_tables(run: RunDirectory, window: np.ndarray | None) -> list[Path]:
     """The pictures of history and events; those of flow have a name of their own beside those of
     mechanics."""
     paths: list[Path | None] = []
@@ -97,22 +101,23 @@ def _draw_tables(run: RunDirectory) -> list[Path]:
     if run.has_mechanics:
         paths += [draw_crack_growth(run, run.path / "crack_growth.png"),
                   draw_loading(run, run.path / "loading.png"),
-                  draw_events(run, run.path / "events.png")]
+                  draw_events(run, run.path / "events.png", window)]
     return [path for path in paths if path]
 
 
 def draw(run: RunDirectory, field: str | None = None, time: float | str = "last",
          arrows: bool = False, output: Path | None = None,
-         scale: float | None = None) -> list[Path]:
+         scale: float | None = None, window: np.ndarray | None = None) -> list[Path]:
     """Draws what `percolith plot` draws and returns the paths of the pictures. Without `field` it
     is the pressure of a run with flow, and every field of mechanics. `scale` multiplies the
-    displacements; None chooses it."""
+    displacements; None chooses it. `window` gives lower left and upper right end (2, 2) of what
+    maps show, in m; None stands for all."""
     check_field(run, field)
     check_scale(run, scale)
     _check_arrows(run, field, arrows)
-    paths = _draw_fields(run, field, time, arrows, output, scale)
+    paths = _draw_fields(run, field, time, arrows, output, scale, window)
     if output is not None:
         return paths
     if run.probe_names:
         paths.append(draw_probes(run, field or "pressure", run.path / "probes.png"))
-    return paths + _draw_tables(run)
+    return paths + _draw_tables(run, window)

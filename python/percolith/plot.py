@@ -17,6 +17,7 @@ from percolith.mechanics_fields import MECHANICS_FIELDS
 from percolith.pictures import draw
 from percolith.run_directory import RunDirectory, RunDirectoryError
 from percolith.vtu import VtuError
+from percolith.window import ALLOWED, window_from
 
 __all__ = ["draw", "main"]
 
@@ -44,7 +45,12 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--scale", default="auto",
         help="of mechanics: factor of the displacements, or auto (default): 1 where they are as "
-        "large as the triangles, otherwise so that they can just be seen"
+        "large as the triangles, otherwise so that they can just be seen and close no opening"
+    )
+    parser.add_argument(
+        "--window", nargs=4, metavar=("X0", "X1", "Y0", "Y1"),
+        help="show only this part of maps, from X0 to X1 and from Y0 to Y1 in m, in colours that "
+        "suit what is seen"
     )
     parser.add_argument(
         "--animate", action="store_true",
@@ -58,9 +64,27 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
+def _is_number(word: str) -> bool:
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+
+def _with_numbers(words: list[str]) -> list[str]:
+    """The same words, the numbers of a window with a blank before them: -1e-3 would be taken for an
+    option."""
+    if "--window" not in words:
+        return words
+    first = words.index("--window") + 1
+    return words[:first] + [f" {word}" if _is_number(word) else word
+                            for word in words[first:first + 4]] + words[first + 4:]
+
+
 def _arguments(words: list[str] | None) -> argparse.Namespace:
     parser = _parser()
-    arguments = parser.parse_args(words)
+    arguments = parser.parse_args(_with_numbers(sys.argv[1:] if words is None else words))
     if arguments.animate and (arguments.time or arguments.arrows):
         parser.error("--animate shows all times, and no arrows; leave out --time and --arrows")
     if arguments.animate and arguments.output and arguments.output.suffix.lower() != ".gif":
@@ -78,6 +102,12 @@ def _arguments(words: list[str] | None) -> argparse.Namespace:
             arguments.scale = -1.0
         if not 0.0 <= arguments.scale < float("inf"):
             parser.error("--scale: allowed: auto, or a number that is not negative")
+    if arguments.window:
+        try:
+            arguments.window = window_from(arguments.window)
+        except ValueError as error:
+            shown = " ".join(word.strip() for word in arguments.window)
+            parser.error(f"--window = {shown}: {error}; allowed: {ALLOWED}")
     if arguments.time == "all" and arguments.output:
         parser.error("--output holds one picture; leave it out with --time all")
     return arguments
@@ -90,10 +120,11 @@ def main(words: list[str] | None = None) -> int:
     try:
         run = RunDirectory(arguments.directory)
         if arguments.animate:
-            paths = [draw_animation(run, arguments.field, arguments.output, scale)]
+            paths = [draw_animation(run, arguments.field, arguments.output, scale,
+                                    arguments.window)]
         else:
             paths = draw(run, arguments.field, arguments.time, arguments.arrows, arguments.output,
-                         scale)
+                         scale, arguments.window)
     except RunDirectoryError as error:
         print(f"percolith-plot: error: {error}", file=sys.stderr)
         return 2
