@@ -33,6 +33,10 @@ bool is_explicit(const Setup& setup, const std::string& /*name*/) {
   return setup.time.scheme == Scheme::explicit_;
 }
 
+bool has_inertia(const Setup& setup, const std::string& name) {
+  return !is_quasi_static(setup, name);
+}
+
 bool has_tolerance(const Setup& setup, const std::string& name) {
   return chooses_step(setup, name) || is_quasi_static(setup, name);
 }
@@ -93,6 +97,8 @@ const std::vector<Applicability> of_seepage_and_run{
     {"time.maximum_step", {"time.scheme", "time.step"}, chooses_step, free_step},
     {"time.tolerance", {"time.scheme", "time.step"}, has_tolerance, free_step},
     {"time.balance_tolerance", {"time.scheme"}, is_quasi_static, "time.scheme = \"quasi_static\""},
+    {"time.mass_scaling_step", {"time.scheme"}, has_inertia, "time.scheme = \"explicit\""},
+    {"damping", {"time.scheme"}, has_inertia, "time.scheme = \"explicit\""},
     {"time.safety", {"time.scheme"}, is_explicit, "time.scheme = \"explicit\""},
     {"time.pore_flow", {"time.scheme"}, is_explicit, "time.scheme = \"explicit\""},
     {"output.times", {"time.scheme"}, is_transient, transient},

@@ -39,7 +39,6 @@ void choose_defaults(Setup& setup, const KeyLocations& locations) {
     choose_minimum_apertures(setup, locations);
   }
   if (setup.time.scheme == simulation::Scheme::quasi_static) {
-    setup.damping.local = simulation::local_damping(setup);
     setup.time.balance_tolerance = simulation::balance_tolerance(setup.time);
   }
 }

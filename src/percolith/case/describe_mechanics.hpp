@@ -156,9 +156,7 @@ void describe(V& option, simulation::Damping& m) {
                   "The same over 2 h sqrt(E rho), h the size of the triangle. Only one of both."});
   option(m.local, Quantity{"local", "1", Bounds{0.0, 1.0, true, false}, Need::optional,
                            "Share of the unbalanced force that acts against the motion; for runs "
-                           "that seek rest.",
-                           "0; 0.7 where time.scheme is quasi_static, whose motion only finds the "
-                           "balance of forces"});
+                           "that seek rest."});
 }
 
 template <class V>

@@ -39,11 +39,13 @@ void describe(V& option, simulation::Stepping& m) {
                                "Error allowed in one step over the range of pressure (implicit "
                                "without step); change of the pressures between two iterations, "
                                "over the largest, that ends a quasi_static step."});
-  option(m.balance_tolerance,
-         Quantity{"balance_tolerance", "1", Bounds{0.0, 1.0, false, false}, Need::optional,
-                  "Unbalanced force over internal forces that a quasi_static step may leave; at "
-                  "most half of tolerance, since pressures do not settle further than forces do.",
-                  "a tenth of tolerance"});
+  option(
+      m.balance_tolerance,
+      Quantity{"balance_tolerance", "1", Bounds{0.0, 1.0, false, false}, Need::optional,
+               "Unbalanced force that a quasi_static step may leave, over the force of the fluid "
+               "on the faces of cracks or, without cracks, the internal forces; at most half of "
+               "tolerance, since pressures do not settle further than forces do.",
+               "a tenth of tolerance"});
   option(m.safety, Quantity{"safety", "1", positive_fraction, Need::optional,
                             "Share of the stability limit that is used. Needs explicit."});
   using simulation::PoreFlow;

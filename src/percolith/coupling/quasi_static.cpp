@@ -23,12 +23,18 @@ namespace {
 constexpr int most_iterations = 60;
 /// The shortest part of a step is 2^-10 of it.
 constexpr int most_halvings = 10;
-constexpr int most_motion_steps = 20'000;
-/// Relaxations in a row that may end before the rock is at rest: cracks run on in it.
-constexpr int most_restless = 3;
-constexpr int motion_steps_between_checks = 25;
-/// The unbalanced force swings while waves pass: rest is where it is small this often in a row.
-constexpr int checks_at_rest = 3;
+/// Of these iterations, those after which the rock is not at rest because cracks run on in it.
+constexpr int most_restless = 600;
+/// Evaluations of the forces in which the rock must come to rest as a whole.
+constexpr int most_pulls = 600;
+/// Iterations without a break after which cracks are taken to have stopped.
+constexpr int calm_enough = 5;
+/// Steps of damped motion between two solutions of the flow; and those in a row, while waves pass,
+/// in which forces must be in balance.
+constexpr int most_swings = 4000;
+constexpr int swings_at_rest = 50;
+/// The least force that the rock has to balance, over the internal forces.
+constexpr double least_force = 1e-5;
 /// Bounds of the factor on the compliance of cracks, and of its change in an iteration.
 constexpr double stiffest = 0.1;
 constexpr double softest = 256.0;
@@ -66,7 +72,8 @@ private:
 }  // namespace
 
 QuasiStatic::QuasiStatic(CoupledModel& model, const QuasiStaticOptions& options)
-    : model_(&model), options_(options), soft_pores_(pore_compliance(model)) {
+    : model_(&model), options_(options), relaxation_(model.rock),
+      soft_pores_(pore_compliance(model)) {
   network_changed();
 }
 
@@ -92,6 +99,8 @@ mechanics::Changes QuasiStatic::advance(double dt, Execution& execution) {
   bookings_.clear();
   time_ = start;
   gave_up_ = false;
+  // So that a run that was resumed goes on like one that was not.
+  relaxation_.forget();
   const Moment before = present_moment();
   iterations_ = 0;
   parts_ = 0;
@@ -140,9 +149,11 @@ QuasiStatic::Ending QuasiStatic::solve(double dt, bool may_be_too_long, Executio
   measure(execution);
   PressureRise rise(model_->water);
   Approach approach;
+  pace_ = Pace::pulling;
   bool broke = false;
+  int settled = 0;
   int restless = 0;
-  for (int iteration = 0; iteration < most_iterations && restless < most_restless; ++iteration) {
+  while (settled < most_iterations && restless < most_restless) {
     ++iterations_;
     const std::vector<double> before = pressures_of(model_->water);
     if (!solve_flow(dt, execution)) {
@@ -161,12 +172,12 @@ QuasiStatic::Ending QuasiStatic::solve(double dt, bool may_be_too_long, Executio
     model_->rock.model().motion.time = time_ + dt;
     relax(execution);
     broke = broke || broke_;
-    restless = is_at_rest_ ? 0 : restless + 1;
+    (is_at_rest_ ? settled : restless) += 1;
     if (gave_up_ || (may_be_too_long && broke && rise.largest() > largest_rise)) {
       return {false, true, approach.distance()};
     }
     measure(execution);
-    if (broke_) {
+    if (broke_ || !is_at_rest_) {
       approach.forget();
     }
   }
@@ -212,37 +223,99 @@ void QuasiStatic::set_compliance() {
   }
 }
 
+/// Towards the balance of forces under the present pressures, as far as the pace goes.
 void QuasiStatic::relax(Execution& execution) {
-  mechanics::Model& rock = model_->rock.model();
-  const double time = rock.motion.time;
   broke_ = false;
   is_at_rest_ = false;
-  int calm = 0;
   apply_pressures(*model_);
-  for (int step = 1; step <= most_motion_steps && !is_asked_to_stop(); ++step) {
-    mechanics::Changes changes = model_->rock.advance(options_.motion_step, execution);
-    // The motion has a time of its own, which is none of the run.
-    rock.motion.time = time;
-    for (mechanics::Breakage& breakage : changes.broke) {
-      breakage.time = time;
+  switch (pace_) {
+  case Pace::pulling:
+    pull_to_rest(execution);
+    break;
+  case Pace::following:
+    follow_cracks(execution);
+    break;
+  case Pace::swinging:
+    swing_to_rest(execution);
+    break;
+  }
+  relaxation_.end();
+}
+
+void QuasiStatic::pull_to_rest(Execution& execution) {
+  relaxation_.begin();
+  for (int step = 1; step <= most_pulls && !is_asked_to_stop(); ++step) {
+    take(relaxation_.pull(execution), execution);
+    if (broke_ || relaxation_.is_lost()) {
+      break;
     }
-    const bool broke = note(std::move(changes));
-    broke_ = broke_ || broke;
-    const bool check = step % motion_steps_between_checks == 0;
-    if (check) {
-      calm = model_->rock.unbalanced_ratio() < options_.balance_tolerance ? calm + 1 : 0;
-    }
-    if (calm == checks_at_rest) {
-      is_at_rest_ = true;
+    is_at_rest_ = is_balanced();
+    if (is_at_rest_) {
       return;
     }
-    if (broke) {
-      // New faces feel the fluid from the next solution of the flow on.
-      measure(execution);
-      apply_pressures(*model_);
-    }
-    mechanics::measure_faces(rock, execution);
   }
+  pace_ = Pace::following;
+  calm_ = 0;
+}
+
+/// One way of the whole rock, not to its end, before the fluid is asked again: what breaks must
+/// feel at once how the pressure falls in the room that it makes.
+void QuasiStatic::follow_cracks(Execution& execution) {
+  relaxation_.begin();
+  do {
+    take(relaxation_.pull(execution), execution);
+  } while (!relaxation_.goes_whole() && !is_asked_to_stop());
+  calm_ = broke_ ? 0 : calm_ + 1;
+  if (calm_ == calm_enough) {
+    pace_ = Pace::swinging;
+  }
+}
+
+void QuasiStatic::swing_to_rest(Execution& execution) {
+  relaxation_.begin();
+  int balanced = 0;
+  for (int step = 1; step <= most_swings && !is_asked_to_stop() && !broke_; ++step) {
+    take(relaxation_.swing(execution), execution);
+    balanced = is_balanced() ? balanced + 1 : 0;
+    is_at_rest_ = balanced == swings_at_rest;
+    if (is_at_rest_) {
+      return;
+    }
+  }
+  if (broke_) {
+    pace_ = Pace::following;
+    calm_ = 0;
+  }
+}
+
+/// Takes over what a step of the relaxation changed.
+void QuasiStatic::take(mechanics::Changes changes, Execution& execution) {
+  if (note(std::move(changes))) {
+    broke_ = true;
+    // New faces feel the fluid from the next solution of the flow on.
+    measure(execution);
+    apply_pressures(*model_);
+  }
+  mechanics::measure_faces(model_->rock.model(), execution);
+}
+
+/// The force of the fluid on the faces of cracks, if there are any, is what the rock has to
+/// balance; stress from elsewhere may be much larger in a large block and tells nothing of the
+/// cracks.
+double QuasiStatic::force_to_balance() const {
+  const mechanics::Model& rock = model_->rock.model();
+  double on_faces = 0.0;
+  for (const mechanics::PressedFaces& faces : rock.pressed) {
+    on_faces += rock.joints.length[at(faces.joint)] *
+                (std::abs(faces.pressure[0]) + std::abs(faces.pressure[1]));
+  }
+  const double internal = rock.energy.internal;
+  return on_faces > 0.0 ? std::clamp(on_faces, least_force * internal, internal) : internal;
+}
+
+double QuasiStatic::unbalanced_ratio() const {
+  const double force = force_to_balance();
+  return force > 0.0 ? model_->rock.model().energy.unbalanced / force : 0.0;
 }
 
 bool QuasiStatic::is_asked_to_stop() {
@@ -297,14 +370,13 @@ void QuasiStatic::refuse(double dt, const Ending& ending) const {
       ending.is_too_long || !changes_.broke.empty()
           ? "A rock that breaks through suddenly has none: time.scheme = \"explicit\" follows it"
       : is_at_rest_ ? "Raise time.tolerance or lower time.balance_tolerance"
-                    : "Forces that stay out of balance want more damping.local or a higher "
-                      "time.balance_tolerance";
+                    : "Forces that stay out of balance want a higher time.balance_tolerance";
   throw SolverError(fmt::format(
       "rock and fluid find no common state at time {:.9g} s even with a step of {:.3g} s; the "
       "results up to the last output are kept. The pressures are still {:.2g} of the largest "
-      "away, allowed: {:g} (time.tolerance); the unbalanced force is {:.2g} of the internal "
-      "ones, allowed: {:g} (time.balance_tolerance). {}",
-      time_, dt, ending.distance, options_.pressure_tolerance, model_->rock.unbalanced_ratio(),
+      "away, allowed: {:g} (time.tolerance); the unbalanced force is {:.2g} of that to be "
+      "balanced, allowed: {:g} (time.balance_tolerance). {}",
+      time_, dt, ending.distance, options_.pressure_tolerance, unbalanced_ratio(),
       options_.balance_tolerance, way_out));
 }
 

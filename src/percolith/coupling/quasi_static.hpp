@@ -3,6 +3,7 @@
 
 #include "percolith/coupling/approach.hpp"
 #include "percolith/coupling/scheme.hpp"
+#include "percolith/mechanics/relaxation.hpp"
 #include "percolith/seepage/implicit_flow.hpp"
 
 #include <cstddef>
@@ -13,17 +14,16 @@
 
 namespace percolith::coupling {
 
-/// How exactly a quasi-static step is solved, and by which steps of the motion.
+/// How exactly a quasi-static step is solved.
 struct QuasiStaticOptions {
   double pressure_tolerance;  ///< change between iterations over the largest pressure
-  double balance_tolerance;   ///< unbalanced force over internal force
-  double motion_step;         ///< s: of the motion that finds the balance of forces
+  double balance_tolerance;   ///< unbalanced force over that to be balanced
 };
 
 /// Advances slow flow and a rock always in balance by a fixed-stress split (theory.md section 25):
 /// implicit flow in which each node has, besides its storage, an estimate of how the rock gives way
-/// under its pressure; then damped motion at these pressures to the balance of forces; and so on
-/// until neither changes any more. What breaks on the way lets fluid in at once; it breaks only in
+/// under its pressure; then the balance of forces at these pressures; and so on until neither
+/// changes any more. What breaks on the way lets fluid in at once; it breaks only in
 /// steps so short that the pressures hardly rise in them, and a step without a solution leaves no
 /// trace.
 class QuasiStatic : public Scheme {
@@ -59,6 +59,13 @@ private:
   [[nodiscard]] Ending solve(double dt, bool may_be_too_long, Execution& execution);
   [[nodiscard]] bool solve_flow(double dt, Execution& execution);
   void relax(Execution& execution);
+  void pull_to_rest(Execution& execution);
+  void follow_cracks(Execution& execution);
+  void swing_to_rest(Execution& execution);
+  void take(mechanics::Changes changes, Execution& execution);
+  [[nodiscard]] double force_to_balance() const;
+  [[nodiscard]] double unbalanced_ratio() const;
+  [[nodiscard]] bool is_balanced() const { return unbalanced_ratio() < options_.balance_tolerance; }
   bool note(mechanics::Changes changes);
   void measure(Execution& execution);
   void set_compliance();
@@ -72,6 +79,7 @@ private:
 
   CoupledModel* model_;
   QuasiStaticOptions options_;
+  mechanics::Relaxation relaxation_;
   std::unique_ptr<seepage::ImplicitFlow> flow_;
   std::vector<double> compliance_;  // per node of the graph, m2/Pa
   std::vector<double> soft_pores_;  // per corner: alpha^2 V/(lambda + G), m2/Pa
@@ -82,6 +90,11 @@ private:
   int iterations_ = 0;
   int parts_ = 0;
   double softness_ = 1.0;  // factor on the compliance of cracks
+  /// How the rock goes to rest: at one go; by and by, with the fluid, while cracks run; or in
+  /// damped motion once they have stopped.
+  enum class Pace { pulling, following, swinging };
+  Pace pace_ = Pace::pulling;
+  int calm_ = 0;  // iterations since something broke
   // Of the last relaxation: whether rock broke in it, and whether it came to its end.
   bool broke_ = false;
   bool is_at_rest_ = false;

@@ -5,6 +5,7 @@
 #include "percolith/mechanics/pressed_faces.hpp"
 #include "percolith/mechanics/wet_joints.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -73,17 +74,58 @@ Dynamics::Dynamics(Model model, LoadList loads, SupportSet supports, ContactProp
 }
 
 Changes Dynamics::advance(double dt, Execution& execution) {
+  return step(motion_law(model_, dt), execution);
+}
+
+Changes Dynamics::creep(double dt, double dt_pull, Execution& execution) {
+  Changes changes = step(creeping_law(dt, dt_pull), execution);
+  model_.energy.kinetic = 0.0;
+  return changes;
+}
+
+void Dynamics::shift(std::span<const double> way, double dt_pull, Execution& execution) {
+  Motion& m = model_.motion;
+  const std::size_t corners = m.ux.size();
+  // The step before has booked half of the way that its velocities would have led.
+  for (std::size_t c = 0; c < corners; ++c) {
+    m.vx[c] = 0.5 * (way[2 * c] / dt_pull - m.vx[c]);
+    m.vy[c] = 0.5 * (way[2 * c + 1] / dt_pull - m.vy[c]);
+  }
+  const ContactForces contact{contact_.force_x(), contact_.force_y(), contact_.acts()};
+  book_works(
+      execution.sum_each<terms>("works", model_.mesh.triangles(),
+                                WorkOfPath{Move(model_, contact, creeping_law(0.0, dt_pull))}));
+  double furthest = 0.0;
+  for (std::size_t c = 0; c < corners; ++c) {
+    const Point w{way[2 * c], way[2 * c + 1]};
+    m.ux[c] += w.x;
+    m.uy[c] += w.y;
+    m.vx[c] = w.x / dt_pull;
+    m.vy[c] = w.y / dt_pull;
+    furthest = std::max(furthest, dot(w, w));
+  }
+  travelled_ = std::sqrt(furthest);
+}
+
+void Dynamics::halt() {
+  std::fill(model_.motion.vx.begin(), model_.motion.vx.end(), 0.0);
+  std::fill(model_.motion.vy.begin(), model_.motion.vy.end(), 0.0);
+}
+
+Changes Dynamics::step(const MotionLaw& law, Execution& execution) {
   set_joint_forces(execution);
   add_closed_joints(model_, execution);
   press_faces(model_, execution);
   contact_.advance(model_.mesh, motion_of(model_), travelled_, model_.motion.last_step, execution);
   add_turns(model_, contact_);
   loads_.apply(model_);
-  supports_.apply(model_, dt);
-  book(move(dt, execution), dt);
-  loads_.book_absorbed(model_, dt);
-  model_.motion.time += dt;
-  model_.motion.last_step = dt;
+  supports_.apply(model_, law.dt);
+  book(move(law, execution), law.dt);
+  loads_.book_absorbed(model_, law.dt);
+  if (!law.creeps) {
+    model_.motion.time += law.dt;
+  }
+  model_.motion.last_step = law.creeps ? law.dt_velocity : law.dt;
   const auto start = std::chrono::steady_clock::now();
   Changes changes = break_failed_joints(model_, table_);
   if (changes.any()) {
@@ -103,9 +145,9 @@ void Dynamics::set_joint_forces(Execution& execution) {
   model_.energy.fluid_work += totals.sum[0];
 }
 
-LaneTotals<terms> Dynamics::move(double dt, Execution& execution) {
+LaneTotals<terms> Dynamics::move(const MotionLaw& law, Execution& execution) {
   const ContactForces contact{contact_.force_x(), contact_.force_y(), contact_.acts()};
-  const Move motion(model_, contact, dt);
+  const Move motion(model_, contact, law);
   const Index n = model_.mesh.triangles();
   if (!model_.any_tied) {
     return execution.sum_each<terms>("triangles and motion", n, motion);
@@ -125,15 +167,21 @@ void Dynamics::book(const LaneTotals<terms>& totals, double dt) {
   const auto value = [&](Term term) { return totals.sum[static_cast<std::size_t>(term)]; };
   Energies& e = model_.energy;
   e.kinetic = value(Term::kinetic);
+  e.unbalanced = value(Term::unbalanced);
+  e.internal = value(Term::stressing);
+  book_works(totals);
+  travelled_ = std::sqrt(totals.peak) * dt;
+}
+
+void Dynamics::book_works(const LaneTotals<terms>& totals) {
+  const auto value = [&](Term term) { return totals.sum[static_cast<std::size_t>(term)]; };
+  Energies& e = model_.energy;
   e.viscous += -value(Term::viscous);
   e.load_work += value(Term::load);
   e.gravity_work += value(Term::gravity);
   e.support_work += value(Term::support);
   e.fluid_work += value(Term::fluid);
   e.damping += -value(Term::damping);
-  e.unbalanced = value(Term::unbalanced);
-  e.internal = value(Term::stressing);
-  travelled_ = std::sqrt(totals.peak) * dt;
 }
 
 void Dynamics::start_contact() {

@@ -22,6 +22,16 @@ public:
   /// One step of `dt` seconds; the caller keeps dt below the stability limit.
   Changes advance(double dt, Execution& execution);
 
+  /// One step of rock that creeps towards rest: leaves as velocity what the forces of the present
+  /// places give masses at rest in `dt_pull` (s), and lets it move the rock for `dt` (s), 0 or
+  /// `dt_pull`. The velocities before are those by which the rock has come here; time stands still.
+  Changes creep(double dt, double dt_pull, Execution& execution);
+  /// Moves the corners by `way` (m), x and y in turn per corner slot, besides what `creep` with a
+  /// dt of 0 left, and books works and energies.
+  void shift(std::span<const double> way, double dt_pull, Execution& execution);
+  /// Takes all velocities away.
+  void halt();
+
   /// Takes regions' triangles out at the present time; the forces they gave to the rest fade over
   /// `duration` (s), while a fluid of `pressure` (Pa) comes to press on the walls they leave.
   void take_out(std::span<const Index> triangles, double duration, double pressure = 0.0);
@@ -44,8 +54,10 @@ public:
 
 private:
   void set_joint_forces(Execution& execution);
-  LaneTotals<terms> move(double dt, Execution& execution);
+  Changes step(const MotionLaw& law, Execution& execution);
+  LaneTotals<terms> move(const MotionLaw& law, Execution& execution);
   void book(const LaneTotals<terms>& totals, double dt);
+  void book_works(const LaneTotals<terms>& totals);
   void start_contact();
   void renew_contact(const Changes& changes);
 

@@ -8,10 +8,14 @@ MotionLaw motion_law(const Model& model, double dt) {
           0.5 * (model.motion.last_step + dt)};
 }
 
-Move::Move(Model& model, const ContactForces& contact, double dt)
-    : solid(model), law(motion_law(model, dt)), ux(model.motion.ux.data()),
-      uy(model.motion.uy.data()), vx(model.motion.vx.data()), vy(model.motion.vy.data()),
-      growth(model.pores.growth.data()), inverse_mass(model.triangles.inverse_mass.data()),
+MotionLaw creeping_law(double dt, double dt_pull) {
+  return {0.0, 0.0, dt, dt_pull, true};
+}
+
+Move::Move(Model& model, const ContactForces& contact, const MotionLaw& motion)
+    : solid(model), law(motion), ux(model.motion.ux.data()), uy(model.motion.uy.data()),
+      vx(model.motion.vx.data()), vy(model.motion.vy.data()), growth(model.pores.growth.data()),
+      inverse_mass(model.triangles.inverse_mass.data()),
       weight(model.triangles.weight.empty() ? nullptr : model.triangles.weight.data()),
       contact_x(contact.x.data()), contact_y(contact.y.data()),
       contact_acts(contact.acts.empty() ? nullptr : contact.acts.data()),

@@ -33,6 +33,9 @@ struct MotionLaw {
   double damping_local = 0.0;
   double dt = 0.0;           ///< s
   double dt_velocity = 0.0;  ///< s: from the middle of the last step to the middle of this
+  /// Whether rock is dragged through a medium that lets no velocity live on: it goes where forces
+  /// pull it, and spends on the medium what they work.
+  bool creeps = false;
 
   /// Force of the damping on a corner: local, against its velocity, a share of the unbalanced
   /// force; and nodal viscosity, (1), (2), taken at the new velocity so that it is stable at any
@@ -47,6 +50,9 @@ struct MotionLaw {
   template <class Real>
   PERCOLITH_DEVICE Vec2<Real> new_velocity(Vec2<Real> v, Vec2<Real> force, Real w) const {
     const Real kick = Real(dt_velocity) * w;
+    if (creeps) {
+      return kick * force;
+    }
     const Vec2<Real> free = v + kick * force;
     if (damping_nodal == 0.0) {
       return free;
@@ -65,6 +71,10 @@ struct MotionLaw {
 /// The law for a step of `dt` (s) after the last one.
 [[nodiscard]] MotionLaw motion_law(const Model& model, double dt);
 
+/// The law of rock that creeps: velocities are those of forces that act on masses at rest for
+/// `dt_pull` (s), at which it moves for `dt` (s).
+[[nodiscard]] MotionLaw creeping_law(double dt, double dt_pull);
+
 /// Forces of contact: per corner, and the blocks where there are any; all empty without contact.
 struct ContactForces {
   std::span<const double> x, y;
@@ -76,7 +86,7 @@ struct ContactForces {
 struct Move {
   static constexpr bool vectorised = true;
 
-  Move(Model& model, const ContactForces& contact, double dt);
+  Move(Model& model, const ContactForces& contact, const MotionLaw& motion);
 
   template <class Lane>
   PERCOLITH_DEVICE void operator()(Lane lane, LaneSums<terms>& sums) const {
@@ -228,7 +238,10 @@ struct Move {
     // What was taken out has no mass and counts no more, though its stress still stands there.
     sums.add(static_cast<std::size_t>(Term::unbalanced), lane,
              select(w > Real(0.0), magnitude(unbalanced.x) + magnitude(unbalanced.y), Real(0.0)));
-    if (law.damping_local != 0.0 || law.damping_nodal != 0.0) {
+    if (law.creeps) {
+      sums.add(static_cast<std::size_t>(Term::damping), lane,
+               -dot(unbalanced, law.path(v, result)));
+    } else if (law.damping_local != 0.0 || law.damping_nodal != 0.0) {
       if (law.damping_nodal != 0.0) {
         drag = drag - Real(law.damping_nodal) * result;
       }
@@ -305,6 +318,35 @@ struct Move {
   const double* wy;
   double* rx;
   double* ry;
+};
+
+/// Works of the forces of the present places over the way that the velocities lead in the time of
+/// the law, on which the medium that rock creeps through takes all that is unbalanced.
+struct WorkOfPath {
+  static constexpr bool vectorised = true;
+  Move move;
+
+  template <class Lane>
+  PERCOLITH_DEVICE void operator()(Lane lane, LaneSums<terms>& sums) const {
+    using Real = typename Lane::Real;
+    const Index t = lane.first;
+    const Index first = mesh::corner_of(t, 0);
+    const CornerVectors<Real> v = load_corners<Lane>(move.vx, move.vy, first);
+    const auto f = move.forces<Lane>(t, first, load_corners<Lane>(move.ux, move.uy, first), v);
+    const Real w = Lane::load(move.inverse_mass + t);
+    Real spent(0.0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      Vec2<Real> total = (f.stress[k] + f.joint[k]) + (f.contact[k] + f.load[k]);
+      if (move.solid.is_wet()) {
+        total = total + f.fluid[k];
+      }
+      total.y += f.gravity;
+      spent += dot(total, move.law.path(v[k], v[k]));
+    }
+    sums.add(static_cast<std::size_t>(Term::damping), lane,
+             -select(w > Real(0.0), spent, Real(0.0)));
+    move.book(lane, f, v, v, w, sums);
+  }
 };
 
 }  // namespace percolith::mechanics

@@ -198,6 +198,18 @@ std::vector<MotionLimit> step_limits(const Model& model, std::span<const double>
   return limits;
 }
 
+namespace {
+
+/// By how much the mass of a triangle must grow for it to be stable alone up to `step` (s).
+/// Frequencies fall as one over the mass: dt^2 square + 2 dt viscous = 4 is linear in it.
+double mass_factor(const Model& model, Index t, std::span<const double> contact_penalty,
+                   double step) {
+  const Frequencies f = frequencies(model, t, penalty_of(contact_penalty, t));
+  return 0.25 * (step * step * together(model, f) + 2.0 * step * (f.viscous + f.absorbing));
+}
+
+}  // namespace
+
 double scale_mass(Model& model, std::span<const double> contact_penalty, double step) {
   double before = 0.0;
   double added = 0.0;
@@ -208,16 +220,21 @@ double scale_mass(Model& model, std::span<const double> contact_penalty, double 
     }
     const double mass = 1.0 / inverse;
     before += mass;
-    const Frequencies f = frequencies(model, t, penalty_of(contact_penalty, t));
-    // Frequencies fall as one over the mass: dt^2 square + 2 dt viscous = 4 is linear in it.
-    const double factor =
-        0.25 * (step * step * together(model, f) + 2.0 * step * (f.viscous + f.absorbing));
+    const double factor = mass_factor(model, t, contact_penalty, step);
     if (factor > 1.0) {
       inverse /= factor;
       added += mass * (factor - 1.0);
     }
   }
   return before > 0.0 ? added / before : 0.0;
+}
+
+void even_masses(Model& model, std::span<const double> contact_penalty, double step) {
+  for (Index t = 0; t < model.mesh.triangles(); ++t) {
+    if (model.triangles.inverse_mass[at(t)] > 0.0) {
+      model.triangles.inverse_mass[at(t)] /= mass_factor(model, t, contact_penalty, step);
+    }
+  }
 }
 
 }  // namespace percolith::mechanics

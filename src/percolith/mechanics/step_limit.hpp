@@ -51,4 +51,8 @@ struct MotionLimit {
 /// keeps the true mass. Returns the mass added over the mass there was.
 double scale_mass(Model& model, std::span<const double> contact_penalty, double step);
 
+/// Gives every triangle the mass with which it is stable alone up to `step` (s), no more and no
+/// less; gravity keeps the true mass. For motion that only looks for rest.
+void even_masses(Model& model, std::span<const double> contact_penalty, double step);
+
 }  // namespace percolith::mechanics

@@ -108,7 +108,7 @@ public:
       choose_flow_step(setup.time);
       scheme_ = std::make_unique<coupling::QuasiStatic>(
           model_,
-          coupling::QuasiStaticOptions{setup.time.tolerance, balance_tolerance(setup.time), step_});
+          coupling::QuasiStaticOptions{setup.time.tolerance, balance_tolerance(setup.time)});
     } else {
       scheme_ = std::make_unique<coupling::CoupledStep>(model_, setup.time.pore_flow,
                                                         longest_pore_step());

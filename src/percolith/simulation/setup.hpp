@@ -166,8 +166,7 @@ struct Damping {
   double nodal_viscosity = 0.0;    ///< mu of C = mu I, (2), kg/(m s)
   double element_viscosity = 0.0;  ///< mu of 2 mu D, (8), Pa s
   double viscosity_ratio = 0.0;    ///< element viscosity over 2 h sqrt(E rho)
-  /// Non-viscous: share of the unbalanced force; absent: `local_damping` says.
-  std::optional<double> local{};
+  double local = 0.0;              ///< non-viscous: share of the unbalanced force
   friend bool operator==(const Damping&, const Damping&) = default;
 };
 
@@ -199,7 +198,7 @@ struct Stepping {
   std::optional<double> maximum_step;  ///< s, implicit
   double tolerance = 1e-3;             ///< local error per step over the pressure range, implicit;
                                        ///< of pressures and rock agreeing, quasi-static
-  /// Unbalanced over internal forces, quasi-static; absent: `balance_tolerance` says.
+  /// Unbalanced force over that to be balanced, quasi-static; absent: `balance_tolerance` says.
   std::optional<double> balance_tolerance{};
   double safety = 0.9;                       ///< share of the stability limit used, explicit
   PoreFlow pore_flow = PoreFlow::explicit_;  ///< coupled, explicit
@@ -234,10 +233,8 @@ struct Output {
 /// and at most.
 inline constexpr double balance_share = 0.1;
 inline constexpr double largest_balance_share = 0.5;
-/// Damping of the motion that finds the balance of forces of a quasi-static run.
-inline constexpr double quasi_static_damping = 0.7;
 
-/// Unbalanced force over internal forces that a quasi-static step may leave.
+/// Unbalanced force over that to be balanced which a quasi-static step may leave.
 [[nodiscard]] inline double balance_tolerance(const Stepping& time) {
   return time.balance_tolerance.value_or(balance_share * time.tolerance);
 }
@@ -265,11 +262,5 @@ struct Setup {
   std::map<std::string, Probe> probe;
   friend bool operator==(const Setup&, const Setup&) = default;
 };
-
-/// Share of the unbalanced force that acts against the motion.
-[[nodiscard]] inline double local_damping(const Setup& setup) {
-  const bool seeks_balance = setup.time.scheme == Scheme::quasi_static;
-  return setup.damping.local.value_or(seeks_balance ? quasi_static_damping : 0.0);
-}
 
 }  // namespace percolith::simulation

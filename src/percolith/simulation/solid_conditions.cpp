@@ -230,6 +230,24 @@ void add_point_force(const mechanics::Model& model, const std::string& name,
   }
 }
 
+/// Rock in balance that nothing holds might lie anywhere: three directions at two corners far from
+/// each other keep it where it is without straining it.
+void hold_in_place(const mechanics::Model& model, SupportList& list) {
+  const auto reach = [&](const mesh::BoundaryEdge& edge) {
+    const Point& p = model.mesh.vertex[at(edge.vertex[0])];
+    return p.x + p.y;
+  };
+  const auto [first, last] =
+      std::minmax_element(model.mesh.boundary.begin(), model.mesh.boundary.end(),
+                          [&](const auto& a, const auto& b) { return reach(a) < reach(b); });
+  const Point between =
+      model.mesh.vertex[at(last->vertex[0])] - model.mesh.vertex[at(first->vertex[0])];
+  const Index rest = list.motion("held_in_place", PrescribedMotion::Kind::velocity, Schedule{});
+  list.hold_fan(first->corner[0], {1.0, 0.0}, rest);
+  list.hold_fan(first->corner[0], {0.0, 1.0}, rest);
+  list.hold_fan(last->corner[0], unit(clockwise(between)), rest);
+}
+
 }  // namespace
 
 mechanics::SupportSet solid_supports(const Setup& setup, mechanics::Model& model) {
@@ -238,6 +256,9 @@ mechanics::SupportSet solid_supports(const Setup& setup, mechanics::Model& model
     add_boundary(model, name, boundary, list);
   }
   add_bodies(setup, model, list);
+  if (setup.time.scheme == Scheme::quasi_static && list.held.empty()) {
+    hold_in_place(model, list);
+  }
   return {model, std::move(list.motions), std::move(list.held)};
 }
 

@@ -247,7 +247,7 @@ mechanics::Ingredients solid_ingredients(const Setup& setup, const mesh::Mesh& m
   mechanics::Ingredients result;
   result.plane = setup.model.plane;
   result.gravity = setup.model.gravity;
-  result.damping = {setup.damping.nodal_viscosity, local_damping(setup)};
+  result.damping = {setup.damping.nodal_viscosity, setup.damping.local};
   for (const auto& [name, material] : setup.material) {
     result.material.push_back(
         {material.solid, {}, setup.damping.element_viscosity, setup.damping.viscosity_ratio});

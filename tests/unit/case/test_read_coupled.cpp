@@ -194,18 +194,16 @@ TEST(ReadCoupled, ForcesOfAQuasiStaticRunBalanceBetterThanPressuresSettle) {
                         "pressures from settling to 1e-05; allowed: at most 5e-06"));
 }
 
-TEST(ReadCoupled, TheMotionOfAQuasiStaticRunIsDampedUnlessTold) {
-  const auto local = [](const std::vector<std::string>& options) {
-    return read(coupled_case, options).setup.damping.local;
-  };
-  EXPECT_EQ(local({"time.scheme=quasi_static"}), 0.7);
-  EXPECT_EQ(local({"time.scheme=quasi_static", "damping.nodal_viscosity=1"}), 0.7);
-  EXPECT_EQ(local({"time.scheme=quasi_static", "damping.local=0"}), 0.0);
-  EXPECT_FALSE(local({}).has_value());
+TEST(ReadCoupled, RockInBalanceHasNeitherDampingNorMass) {
+  for (const std::string option : {"damping.local=0.5", "time.mass_scaling_step=1e-6"}) {
+    EXPECT_THAT(slow_error({option}), HasSubstr("it needs time.scheme = \"explicit\"")) << option;
+    EXPECT_EQ(coupled_error({option}), "");
+  }
 }
 
 TEST(ReadCoupled, AQuasiStaticCaseReadAgainFromItsResolvedFormIsTheSame) {
-  for (const std::string more : {"damping.local=0", "time.tolerance=1e-4", "time.step=1"}) {
+  for (const std::string more :
+       {"time.balance_tolerance=1e-5", "time.tolerance=1e-4", "time.step=1"}) {
     const simulation::Setup setup = read(coupled_case, {"time.scheme=quasi_static", more}).setup;
     EXPECT_EQ(read(resolved_toml(setup)).setup, setup) << resolved_toml(setup);
   }
