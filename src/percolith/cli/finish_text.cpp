@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string_view>
 #include <variant>
@@ -45,10 +46,11 @@ std::string peak_text(const char* axis, double reaction, double time) {
   return fmt::format("{} {:.5g} N/m at {:.4g} s", axis, reaction, time);
 }
 
-/// Of a source: "source.pump: 0.1 m2 injected, highest pressure 3.18 MPa at 0.004 s".
+/// What a source brought in, and the highest pressure there.
 std::string source_text(const simulation::Summary& summary, const std::string& name,
                         double volume) {
-  std::string text = fmt::format("{}: {:.4g} m2 injected", name, volume);
+  std::string text =
+      fmt::format("{}: {:.4g} m2 (m3 per metre of thickness) injected", name, volume);
   const auto& peaks = summary.peak_pressures;
   const auto peak = std::find_if(peaks.begin(), peaks.end(),
                                  [&](const simulation::PeakPressure& p) { return p.name == name; });
@@ -66,13 +68,16 @@ void add_fluid(const simulation::Summary& summary, std::vector<std::string>& lin
       lines.push_back(source_text(summary, name, volume));
     }
   }
-  const auto length = result_of<double>(summary, "crack_length_m");
-  if (length && *length > 0.0) {
-    lines.push_back(fmt::format("cracks: {:.4g} m long, {:.4g} m of it filled with fluid; {:.3g} "
-                                "m2 leaked into the rock",
-                                *length,
-                                result_of<double>(summary, "filled_crack_length_m").value_or(0.0),
-                                result_of<double>(summary, "leaked_m2").value_or(0.0)));
+  const auto value = [&](const char* name) {
+    return result_of<double>(summary, name).value_or(0.0);
+  };
+  if (value("crack_length_m") > 0.0) {
+    const double leaked = value("leaked_m2");
+    lines.push_back(fmt::format("cracks: {:.4g} m broken, {:.4g} m of it filled with fluid; {:.3g} "
+                                "m2 {}",
+                                value("crack_length_m"), value("filled_crack_length_m"),
+                                std::abs(leaked),
+                                leaked < 0.0 ? "came in from the rock" : "leaked into the rock"));
   }
 }
 

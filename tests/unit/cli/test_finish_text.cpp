@@ -64,13 +64,19 @@ TEST(ResultLines, TellWhatFluidDidInACoupledRun) {
   coupled.last.balance.by_condition = {
       {"boundary.rim", 1.0}, {"source.pump", 1e-4}, {"source.well", 2e-3}};
   coupled.peak_pressures = {{"source.pump", 3.184e6, 4.1e-3}};
-  EXPECT_EQ(result_lines(coupled),
-            (std::vector<std::string>{
-                "joints that broke: 8 (7 in tension, 0 in shear, 1 mixed)",
-                "source.pump: 0.0001 m2 injected, highest pressure 3.18 MPa at 0.0041 s",
-                "source.well: 0.002 m2 injected",
-                "cracks: 0.68 m long, 0.62 m of it filled with fluid; 1.52e-06 m2 leaked into the "
-                "rock"}));
+  EXPECT_EQ(
+      result_lines(coupled),
+      (std::vector<std::string>{
+          "joints that broke: 8 (7 in tension, 0 in shear, 1 mixed)",
+          "source.pump: 0.0001 m2 (m3 per metre of thickness) injected, highest pressure 3.18 MPa "
+          "at "
+          "0.0041 s",
+          "source.well: 0.002 m2 (m3 per metre of thickness) injected",
+          "cracks: 0.68 m broken, 0.62 m of it filled with fluid; 1.52e-06 m2 leaked into the "
+          "rock"}));
+  coupled.mechanics.back().second = -2e-6;
+  EXPECT_EQ(result_lines(coupled).back(), "cracks: 0.68 m broken, 0.62 m of it filled with fluid; "
+                                          "2e-06 m2 came in from the rock");
   coupled.last.has_flow = false;
   EXPECT_EQ(result_lines(coupled).size(), 1u);
 }
