@@ -57,6 +57,7 @@ std::vector<NamedValue> source_pressures(const seepage::Model& model) {
     add(c, 1.0);
   }
   std::vector<NamedValue> pressures;
+  pressures.reserve(sums.size());
   for (const auto& [condition, sum] : sums) {
     pressures.emplace_back(model.conditions.name[at(condition)],
                            sum.second > 0.0 ? sum.first / sum.second : 0.0);
