@@ -86,3 +86,30 @@ def test_missing_case_file(percolith, tmp_path):
     assert done.returncode == 4
     assert "none.toml" in done.stderr
     assert done.stderr.startswith("error: ")
+
+
+def test_units_that_were_forgotten_are_asked_for(percolith):
+    case = ROOT / "examples/brazilian/case.toml"
+    done = percolith("check", case, "--set", "material.rock.young_modulus=20")
+    assert done.returncode == 0, done.stderr
+    assert done.stderr.startswith(
+        "--set: warning: material.rock.young_modulus = 20 is 20 Pa, less than the 1 MPa of a soft "
+        'soil. Is that meant? A number without a unit is in Pa; 20 GPa is written "20 GPa"')
+    done = percolith("check", case, "--set", "material.rock.friction_angle=30")
+    assert done.returncode == 2
+    assert 'degrees are written "30 deg"' in done.stderr
+
+
+def test_missing_physics_is_the_one_message(percolith):
+    done = percolith("check", ROOT / "examples/brazilian/case.toml", "--set", "model.physics=")
+    assert done.returncode == 2
+    assert done.stderr.count("error: ") == 1
+    assert "model.physics: required but missing" in done.stderr
+    for choice in ['"seepage"', '"mechanics"', '"coupled"']:
+        assert choice in done.stderr
+
+
+def test_elements_are_judged_where_cracks_start(percolith):
+    done = percolith("check", ROOT / "examples/pressurised_well/case.toml")
+    assert re.search(r"elements of \S+ m where cracks start, at boundary.wall \(", done.stderr)
+    assert "into the rock at boundary.wall, less than one element" in done.stderr

@@ -77,7 +77,7 @@ def test_a_value_that_is_no_number_ends_the_run(percolith, strip, tmp_path):
                      "--set", 'boundary.left.pressure={ file = "jump.csv" }',
                      "--output", "out")
     assert done.returncode == 3, (done.stdout, done.stderr)
-    assert done.stderr.startswith("error: ")
+    assert done.stderr.splitlines()[-1].startswith("error: ")
     summary = json.loads((tmp_path / "out/summary.json").read_text())
     assert summary["outcome"] == "failed"
     assert summary["reason"] in done.stderr

@@ -108,6 +108,21 @@ def test_mechanics_sums_up_what_it_came_to(percolith, tmp_path):
     assert lines[1] in (tmp_path / "out/run.log").read_text()
 
 
+def test_coupled_runs_sum_up_what_fluid_did(percolith, tmp_path):
+    done = percolith("run", ROOT / "verification/restart/pumped.toml",
+                     "--output", "out")
+    assert done.returncode == 0, done.stderr
+    results = json.loads((tmp_path / "out/summary.json").read_text())["mechanics"]
+    peak = results["peak_pressures"]["source.pump"]
+    pressures = {float(row["time_s"]): float(row["source.pump.pressure_Pa"])
+                 for row in rows_of(tmp_path / "out/history.csv")}
+    assert pressures[peak["time_s"]] == peak["pressure_Pa"] == max(pressures.values())
+    source = next(line for line in done.stdout.splitlines() if line.startswith("source.pump: "))
+    assert "injected, highest pressure " in source
+    cracks = f"cracks: {results['crack_length_m']:.4g} m broken, "
+    assert any(line.startswith(cracks) for line in done.stdout.splitlines())
+
+
 def test_fields_can_be_left_out(percolith, strip, tmp_path):
     assert percolith("run", strip, *STEADY, "--set", "output.fields=false", "--output",
                      "out").returncode == 0

@@ -4,7 +4,8 @@
 #include "percolith/case/defaults.hpp"
 #include "percolith/case/describe.hpp"
 #include "percolith/case/overrides.hpp"
-#include "percolith/case/path.hpp"
+#include "percolith/case/physics.hpp"
+#include "percolith/case/plausibility.hpp"
 #include "percolith/case/reader.hpp"
 #include "percolith/case/rules.hpp"
 #include "percolith/case/toml_parser.hpp"
@@ -46,34 +47,6 @@ Node parse(std::string_view text, const std::string& file) {
   }
 }
 
-/// The physics that the case asks for, known before its options are read.
-std::string_view physics_of_case(const Node& root) {
-  const Node* node = find_at(root, {"model", "physics"});
-  if (node == nullptr) {
-    return "seepage";
-  }
-  for (const std::string_view physics : {"seepage", "mechanics", "coupled"}) {
-    if (node->text() != nullptr && *node->text() == physics) {
-      return physics;
-    }
-  }
-  return {};
-}
-
-/// What a rock of solid grains has is a range; beyond it the equations still hold.
-void warn_of_biot(Case& known) {
-  for (const auto& [name, material] : known.setup.material) {
-    const double alpha = material.biot_coefficient;
-    if (alpha < material.rock.porosity || alpha > 1.0) {
-      const std::string key = "material." + name + ".biot_coefficient";
-      known.warnings.push_back(fmt::format(
-          "{}: warning: {} = {:g} is outside of the range from the porosity, {:g}, to 1 that a "
-          "rock of solid grains has",
-          to_text(known.locations.nearest(key).location), key, alpha, material.rock.porosity));
-    }
-  }
-}
-
 }  // namespace
 
 Case read_case(const std::filesystem::path& file, std::span<const std::string> overrides) {
@@ -108,16 +81,18 @@ Case read_case_text(std::string_view text, const std::filesystem::path& file,
   apply_overrides(root, overrides, problems);
   check_format(root);
   result.warnings = apply_renames(root, renames, problems);
-  Context context{units, result.directory, problems, result.locations, physics_of_case(root)};
+  Context context{units, result.directory, problems, result.locations,
+                  find_physics(root, problems)};
   Reader reader(root, {}, context);
   describe(reader, result.setup);
   reader.finish();
-  choose_defaults(result.setup, result.locations);
-  check_rules(result.setup, context);
-  problems.throw_if_any();
-  if (result.setup.model.physics == simulation::Physics::coupled) {
-    warn_of_biot(result);
+  if (!context.physics.empty()) {  // else nothing is known that the rules could judge by
+    choose_defaults(result.setup, result.locations);
+    check_rules(result.setup, context);
   }
+  problems.throw_if_any();
+  const std::vector<std::string> doubts = plausibility_warnings(result.setup, result.locations);
+  result.warnings.insert(result.warnings.end(), doubts.begin(), doubts.end());
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace percolith::case_file {
 
@@ -44,6 +45,19 @@ std::optional<Raw> raw_number(const Node& node, const std::string& key, const Qu
              split->unit.empty() ? std::string(quantity.unit) : std::string(split->unit)};
 }
 
+/// What is wrong with a number out of its bounds. Angles without a unit are mostly meant in
+/// degrees.
+std::string out_of_range(const Node& node, const Quantity& quantity, double number,
+                         std::string_view unit) {
+  if (quantity.unit != "rad" || node.text() != nullptr || !unit.empty() ||
+      !quantity.bounds.contains(number * std::numbers::pi / 180.0)) {
+    return "out of range";
+  }
+  return fmt::format("out of range: a number without a unit is in radians; degrees are written "
+                     "\"{:g} deg\"",
+                     number);
+}
+
 }  // namespace
 
 void report(Context& context, const Node& node, const std::string& key, std::string reason,
@@ -78,7 +92,8 @@ std::optional<double> read_number(const Node& node, const std::string& key,
     return std::nullopt;
   }
   if (!quantity.bounds.contains(*converted.value)) {
-    report(context, node, key, "out of range", to_text(quantity.bounds, quantity.unit));
+    report(context, node, key, out_of_range(node, quantity, raw->number, unit),
+           to_text(quantity.bounds, quantity.unit));
     return std::nullopt;
   }
   return converted.value;

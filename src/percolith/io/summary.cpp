@@ -67,6 +67,13 @@ Json mechanics(const simulation::Summary& summary) {
                         {"y_time_s", peak.y_time}};
   }
   object["peak_reactions"] = std::move(peaks);
+  if (!summary.peak_pressures.empty()) {
+    Json pressures = Json::object();
+    for (const simulation::PeakPressure& peak : summary.peak_pressures) {
+      pressures[peak.name] = {{"pressure_Pa", peak.pressure}, {"time_s", peak.time}};
+    }
+    object["peak_pressures"] = std::move(pressures);
+  }
   return object;
 }
 

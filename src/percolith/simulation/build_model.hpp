@@ -18,6 +18,11 @@ namespace percolith::simulation {
 /// for unknown groups, edges or nodes with two conditions, and places outside the rock.
 [[nodiscard]] seepage::Conditions build_conditions(const Setup& setup, const seepage::Model& model);
 
+/// Pressure (Pa) that `[initial]` gives the rock at a place, not below the cavitation pressure and
+/// whatever conditions hold there; without meaning with `initial.steady`.
+[[nodiscard]] double initial_pressure(const Setup& setup, const seepage::Model& model,
+                                      const Point& place);
+
 /// Sets the state at time zero, prescribed pressures included.
 void set_initial_state(const Setup& setup, seepage::Model& model);
 

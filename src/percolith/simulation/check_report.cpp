@@ -5,6 +5,7 @@
 #include "percolith/seepage/graph_conditions.hpp"
 #include "percolith/seepage/step_limit.hpp"
 #include "percolith/simulation/build_model.hpp"
+#include "percolith/simulation/leak_off.hpp"
 #include "percolith/simulation/mesh_report.hpp"
 
 #include <fmt/format.h>
@@ -56,6 +57,8 @@ std::vector<std::string> model_warnings(const Setup& setup, const seepage::Model
       }
     }
   }
+  const auto leaks = leak_off_warnings(setup, model);
+  warnings.insert(warnings.end(), leaks.begin(), leaks.end());
   return warnings;
 }
 

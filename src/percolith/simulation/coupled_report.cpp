@@ -40,7 +40,7 @@ CrackTotals totals_of(const seepage::Model& model) {
 }
 
 /// Mean pressure at the nodes in cracks that each source feeds, by its shares, Pa.
-void add_source_pressures(const seepage::Model& model, std::vector<NamedValue>& values) {
+std::vector<NamedValue> source_pressures(const seepage::Model& model) {
   std::map<Index, std::pair<double, double>> sums;  // by condition: pressure, share
   const auto add = [&](const seepage::NodeCondition& c, double share) {
     if (model.conditions.name[at(c.condition)].starts_with("source.") &&
@@ -56,9 +56,27 @@ void add_source_pressures(const seepage::Model& model, std::vector<NamedValue>& 
   for (const seepage::NodeCondition& c : model.conditions.crack.pressure) {
     add(c, 1.0);
   }
+  std::vector<NamedValue> pressures;
+  pressures.reserve(sums.size());
   for (const auto& [condition, sum] : sums) {
-    values.emplace_back(model.conditions.name[at(condition)] + ".pressure_Pa",
-                        sum.second > 0.0 ? sum.first / sum.second : 0.0);
+    pressures.emplace_back(model.conditions.name[at(condition)],
+                           sum.second > 0.0 ? sum.first / sum.second : 0.0);
+  }
+  return pressures;
+}
+
+void note_peaks(const std::vector<NamedValue>& pressures, double time,
+                std::vector<PeakPressure>& peaks) {
+  for (const auto& [name, pressure] : pressures) {
+    const auto known = std::find_if(peaks.begin(), peaks.end(), [&, &source = name](const auto& p) {
+      return p.name == source;
+    });
+    if (known == peaks.end()) {
+      peaks.push_back({name, pressure, time});
+    } else if (pressure > known->pressure) {
+      known->pressure = pressure;
+      known->time = time;
+    }
   }
 }
 
@@ -95,7 +113,11 @@ HistoryRow coupled_history_row(SolidRun& rock, const WaterRun& water, double lea
                                                {"crack_volume_m2", cracks.volume},
                                                {"crack_fluid_m2", crack_fluid(water.model)},
                                                {"leaked_m2", leaked}});
-  add_source_pressures(water.model, flow.mechanics);
+  const std::vector<NamedValue> pressures = source_pressures(water.model);
+  for (const auto& [name, pressure] : pressures) {
+    flow.mechanics.emplace_back(name + ".pressure_Pa", pressure);
+  }
+  note_peaks(pressures, flow.time, rock.summary.peak_pressures);
   add_injected(water.model, flow.mechanics);
   return flow;
 }

@@ -29,7 +29,7 @@ struct WaterRun {
 
 /// The rows of both halves in one, with length (m), volume (m2) and mean aperture (m) of the
 /// cracks, the fluid in them and what has leaked out of them into the rock (m2), and the pressure
-/// at each source in a crack (Pa). `leaked` as `coupling::Scheme` counts it.
+/// at each source in a crack (Pa), whose peak is noted. `leaked` as `coupling::Scheme` counts it.
 [[nodiscard]] HistoryRow coupled_history_row(SolidRun& rock, const WaterRun& water, double leaked,
                                              double step_size);
 

@@ -81,6 +81,10 @@ void apply_prescribed(seepage::Model& model) {
 
 }  // namespace
 
+double initial_pressure(const Setup& setup, const seepage::Model& model, const Point& place) {
+  return std::max(pressure_at(setup, model, place).value, model.reference_pressure());
+}
+
 void set_initial_state(const Setup& setup, seepage::Model& model) {
   seepage::set_pores(model, [&](const Point& p) {
     return fluid_at(setup, model, p, pressure_at(setup, model, p), setup.initial.saturation,

@@ -126,6 +126,14 @@ struct PeakReaction {
   double x_time = 0.0, y_time = 0.0;  ///< s
 };
 
+/// The highest pressure at a source in a crack over all rows of the history; the first row that has
+/// it gives the time.
+struct PeakPressure {
+  std::string name;       ///< option path: `source.pump`
+  double pressure = 0.0;  ///< Pa
+  double time = 0.0;      ///< s
+};
+
 /// One row of the history.
 struct HistoryRow {
   double time = 0.0;
@@ -168,6 +176,7 @@ struct Summary {
   /// mass.
   std::vector<NamedResult> mechanics;
   std::vector<PeakReaction> peak_reactions;  ///< of mechanics
+  std::vector<PeakPressure> peak_pressures;  ///< of coupled physics
   std::vector<std::string> warnings;
 };
 

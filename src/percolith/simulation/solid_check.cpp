@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/core/error.hpp"
 #include "percolith/mechanics/build.hpp"
+#include "percolith/simulation/crack_starts.hpp"
 #include "percolith/simulation/mesh_report.hpp"
+#include "percolith/simulation/resolution.hpp"
 #include "percolith/simulation/solid_run.hpp"
+#include "percolith/simulation/start_strength.hpp"
 
 #include <fmt/format.h>
 
@@ -19,36 +22,6 @@ using mesh::Index;
 Point centre_of(const mesh::Mesh& mesh, Index t) {
   const auto p = mesh.triangle_points(t);
   return (1.0 / 3.0) * (p[0] + p[1] + p[2]);
-}
-
-/// The bonded joint whose elements are largest against its cohesive length E' G_I/f_t^2.
-struct Resolution {
-  double ratio = std::numeric_limits<double>::infinity();  ///< cohesive length over element size
-  double length = 0.0;                                     ///< m
-  double size = 0.0;                                       ///< m
-  Index joint = mesh::none;
-};
-
-/// Strengths and energies of weaker joints fall alike, so that their cohesive length grows: the
-/// mean one counts.
-Resolution coarsest(const mechanics::Model& model) {
-  Resolution worst;
-  for (Index j = 0; j < model.mesh.joints(); ++j) {
-    if (model.joints.state[at(j)] != JointState::bonded) {
-      continue;
-    }
-    const auto& strength = model.kind[at(model.joints.strength[at(j)])].strength;
-    if (strength.tensile_strength == 0.0) {
-      continue;
-    }
-    const double length = mechanics::softer_modulus(model, j) * strength.mode_1_energy /
-                          (strength.tensile_strength * strength.tensile_strength);
-    const double ratio = length / model.joints.size[at(j)];
-    if (ratio < worst.ratio) {
-      worst = {ratio, length, model.joints.size[at(j)], j};
-    }
-  }
-  return worst;
 }
 
 /// E of a body with joints on every edge over that of its triangles: 1/E_a = 1/E' + 1.73/p_f.
@@ -102,20 +75,49 @@ std::int64_t count_state(const mechanics::Model& model, JointState state) {
   return std::count(begin, begin + model.mesh.joints(), state);
 }
 
+/// Paths of the tables that joints have their strengths from, in the order of their owners.
+std::vector<std::string> table_paths(const Setup& setup) {
+  std::vector<std::string> paths;
+  for (const auto& [name, material] : setup.material) {
+    paths.push_back("material." + name);
+  }
+  for (const auto& [name, fracture] : setup.fracture) {
+    paths.push_back("fracture." + name);
+  }
+  return paths;
+}
+
+void describe_resolution(const SolidRun& run, CheckReport& report) {
+  const mechanics::Model& model = run.dynamics.model();
+  const std::optional<Resolution> worst = coarsest(model);
+  if (!worst) {
+    return;
+  }
+  const std::vector<CrackStart> starts = crack_starts(run.setup, model.mesh);
+  if (const std::optional<Resolution> there = coarsest_at(model, starts)) {
+    report.mechanics.emplace_back("cohesive length over element size where cracks start",
+                                  there->ratio);
+    const double distance = resolved_distance(model, starts);
+    if (there->ratio >= resolved && std::isfinite(distance)) {
+      report.mechanics.emplace_back("it is below 3 from this distance on (m)", distance);
+    }
+  }
+  report.mechanics.emplace_back("smallest cohesive length over element size", worst->ratio);
+  report.mechanics.emplace_back("stiffness with joints over that of the rock",
+                                apparent_share(model));
+}
+
 }  // namespace
 
 std::vector<std::string> solid_warnings(const SolidRun& run) {
   std::vector<std::string> warnings = run.probes.warnings;
   const mechanics::Model& model = run.dynamics.model();
-  const Resolution worst = coarsest(model);
-  if (worst.joint != mesh::none && worst.ratio < 3.0) {
-    const Point p = model.mesh.vertex[at(model.mesh.joint[at(worst.joint)].vertex[0])];
-    warnings.push_back(fmt::format(
-        "elements of {:.3g} m at ({:g}, {:g}) do not resolve the cohesive length E' G_I/f_t^2 = "
-        "{:.3g} m, a third of which they should not exceed: strength rather than fracture energy "
-        "rules there, and results depend on the mesh",
-        worst.size, p.x, p.y, worst.length));
+  const std::string coarse = resolution_warning(model, crack_starts(run.setup, model.mesh));
+  if (!coarse.empty()) {
+    warnings.push_back(coarse);
   }
+  const auto weak = start_strength_warnings(model, table_paths(run.setup));
+  warnings.insert(warnings.end(), weak.begin(), weak.end());
   constexpr double regular = 0.4;
   constexpr Index many = 300;
   if (model.mesh.joints() > many && regularity(model) > regular) {
@@ -189,12 +191,7 @@ CheckReport solid_check(const SolidRun& run) {
        count_state(model, JointState::closed)},
       {"tied joints (sides share nodes, cannot break)", count_state(model, JointState::tied)},
       {"rigid joints (within one rigid body)", count_state(model, JointState::rigid)}};
-  const Resolution worst = coarsest(model);
-  if (worst.joint != mesh::none) {
-    report.mechanics.emplace_back("smallest cohesive length over element size", worst.ratio);
-    report.mechanics.emplace_back("stiffness with joints over that of the rock",
-                                  apparent_share(model));
-  }
+  describe_resolution(run, report);
   if (run.setup.time.mass_scaling_step) {
     report.mechanics.emplace_back("added mass over mass", run.added_mass);
   }

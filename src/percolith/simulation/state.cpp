@@ -37,6 +37,12 @@ static void describe_state(StateArchive& archive, PeakReaction& peak) {
   archive("y_time", peak.y_time);
 }
 
+static void describe_state(StateArchive& archive, PeakPressure& peak) {
+  archive("name", peak.name);
+  archive("pressure", peak.pressure);
+  archive("time", peak.time);
+}
+
 void describe_state(StateArchive& archive, Summary& summary) {
   archive("steps", summary.steps);
   archive("rejected_steps", summary.rejected_steps);
@@ -45,6 +51,7 @@ void describe_state(StateArchive& archive, Summary& summary) {
   archive("throughput", summary.throughput);
   archive("reached_rest", summary.reached_rest);
   archive.of_any_size("peak_reactions", summary.peak_reactions);
+  archive.of_any_size("peak_pressures", summary.peak_pressures);
 }
 
 void describe_state(StateArchive& archive, RunState& run) {

@@ -72,6 +72,12 @@ TEST(RulesOfMechanics, TablesOfSeepageHaveNoEffect) {
             no_effect("source.well", needed));
 }
 
+/// As error_set, for a case that says that it is one of seepage.
+std::string seepage_error(Settings overrides) {
+  overrides.insert(overrides.begin(), "model.physics=seepage");
+  return error_set(overrides);
+}
+
 TEST(RulesOfMechanics, ItsOptionsHaveNoEffectInSeepage) {
   const std::string needed(needs_motion);
   const std::string exchange = "fracture.fault={groups=[\"f\"], initial_aperture=1e-4, exchange=1}";
@@ -106,30 +112,32 @@ TEST(RulesOfMechanics, ItsOptionsHaveNoEffectInSeepage) {
                                    "boundary.left.normal_pressure",
                                    "time.stop_ratio",
                                    "time.mass_scaling_step"}) {
-    EXPECT_EQ(error_set({exchange, option + " = 0.1"}), no_effect(option + " = 0.1", needed));
+    EXPECT_EQ(seepage_error({exchange, option + " = 0.1"}), no_effect(option + " = 0.1", needed));
   }
   for (const std::string option : {"boundary.left.fixed", "boundary.left.roller",
                                    "boundary.left.in_situ", "boundary.left.absorbing"}) {
-    EXPECT_EQ(error_set({option + " = true"}), no_effect(option + " = true", needed));
+    EXPECT_EQ(seepage_error({option + " = true"}), no_effect(option + " = true", needed));
   }
-  EXPECT_EQ(error_set({"model.plane=stress"}), no_effect("model.plane = \"stress\"", needed));
-  EXPECT_EQ(error_set({"material.rock.joints=elastic"}),
+  EXPECT_EQ(seepage_error({"model.plane=stress"}), no_effect("model.plane = \"stress\"", needed));
+  EXPECT_EQ(seepage_error({"material.rock.joints=elastic"}),
             no_effect("material.rock.joints = \"elastic\"", needed));
-  EXPECT_EQ(error_set({"material.rock.weibull_seed=2"}),
+  EXPECT_EQ(seepage_error({"material.rock.weibull_seed=2"}),
             no_effect("material.rock.weibull_seed = 2", needed));
-  EXPECT_EQ(error_set({exchange, "fracture.fault.bond=broken"}),
+  EXPECT_EQ(seepage_error({exchange, "fracture.fault.bond=broken"}),
             no_effect("fracture.fault.bond = \"broken\"", needed));
 }
 
 TEST(RulesOfMechanics, ItsTablesHaveNoEffectInSeepage) {
   const std::string needed(needs_motion);
-  EXPECT_EQ(error_set({"body.a={regions=[\"rock\"], rigid=true}"}), no_effect("body.a", needed));
-  EXPECT_EQ(error_set({"point_force.a={point=[0, 0], force_x=1}"}),
+  EXPECT_EQ(seepage_error({"body.a={regions=[\"rock\"], rigid=true}"}),
+            no_effect("body.a", needed));
+  EXPECT_EQ(seepage_error({"point_force.a={point=[0, 0], force_x=1}"}),
             no_effect("point_force.a", needed));
-  EXPECT_EQ(error_set({"in_situ.datum=1"}), no_effect("in_situ", needed));
-  EXPECT_EQ(error_set({"excavation.a={regions=[\"rock\"]}"}), no_effect("excavation.a", needed));
-  EXPECT_EQ(error_set({"damping.local=0.5"}), no_effect("damping", needed));
-  EXPECT_EQ(error_set({"contact.penalty=1e9"}), no_effect("contact", needed));
+  EXPECT_EQ(seepage_error({"in_situ.datum=1"}), no_effect("in_situ", needed));
+  EXPECT_EQ(seepage_error({"excavation.a={regions=[\"rock\"]}"}),
+            no_effect("excavation.a", needed));
+  EXPECT_EQ(seepage_error({"damping.local=0.5"}), no_effect("damping", needed));
+  EXPECT_EQ(seepage_error({"contact.penalty=1e9"}), no_effect("contact", needed));
 }
 
 TEST(RulesOfMechanics, TheRockIsRequired) {
@@ -232,7 +240,12 @@ TEST(RulesOfMechanics, BoundsOfTheRock) {
     expect("weibull_modulus", "a finite number > 0");
   }
   for (const std::string option : {"friction_angle", "residual_friction_angle"}) {
-    EXPECT_EQ(mechanics_error({rock + option + "=30"}), out_of_range(rock + option, "30", angle));
+    EXPECT_EQ(mechanics_error({rock + option + "=30"}),
+              "--set: error: " + rock + option +
+                  " = 30: out of range: a number without a unit is in radians; degrees are written "
+                  "\"30 deg\"; allowed: " +
+                  angle);
+    EXPECT_EQ(mechanics_error({rock + option + "=120"}), out_of_range(rock + option, "120", angle));
     EXPECT_EQ(mechanics_error({rock + option + "=90 deg"}),
               out_of_range(rock + option, "\"90 deg\"", angle));
     EXPECT_EQ(mechanics_error({rock + option + "=-0.1"}),

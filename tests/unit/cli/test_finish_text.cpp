@@ -55,6 +55,32 @@ TEST(ResultLines, TellBrokenJointsAndTheReactionsThereWere) {
           "largest reaction of boundary.top: x 0 N/m at 0 s, y -7.854e+05 N/m at 0.00325 s"}));
 }
 
+TEST(ResultLines, TellWhatFluidDidInACoupledRun) {
+  simulation::Summary coupled = summary();
+  coupled.mechanics = {{"broken_joints", 8},       {"broken_joints_tensile", 7},
+                       {"broken_joints_shear", 0}, {"broken_joints_mixed", 1},
+                       {"crack_length_m", 0.68},   {"filled_crack_length_m", 0.62},
+                       {"leaked_m2", 1.52e-6}};
+  coupled.last.balance.by_condition = {
+      {"boundary.rim", 1.0}, {"source.pump", 1e-4}, {"source.well", 2e-3}};
+  coupled.peak_pressures = {{"source.pump", 3.184e6, 4.1e-3}};
+  EXPECT_EQ(
+      result_lines(coupled),
+      (std::vector<std::string>{
+          "joints that broke: 8 (7 in tension, 0 in shear, 1 mixed)",
+          "source.pump: 0.0001 m2 (m3 per metre of thickness) injected, highest pressure 3.18 MPa "
+          "at "
+          "0.0041 s",
+          "source.well: 0.002 m2 (m3 per metre of thickness) injected",
+          "cracks: 0.68 m broken, 0.62 m of it filled with fluid; 1.52e-06 m2 leaked into the "
+          "rock"}));
+  coupled.mechanics.back().second = -2e-6;
+  EXPECT_EQ(result_lines(coupled).back(), "cracks: 0.68 m broken, 0.62 m of it filled with fluid; "
+                                          "2e-06 m2 came in from the rock");
+  coupled.last.has_flow = false;
+  EXPECT_EQ(result_lines(coupled).size(), 1u);
+}
+
 std::vector<std::string> names(const std::vector<case_file::DerivedValue>& values) {
   std::vector<std::string> result;
   for (const case_file::DerivedValue& value : values) {

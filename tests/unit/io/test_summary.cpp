@@ -106,6 +106,11 @@ TEST(Summary, OfMechanicsHasItsNamedResultsAndNoneOfFlow) {
   EXPECT_EQ(json["mechanics"]["peak_reactions"]["boundary.top"],
             (nlohmann::json{
                 {"x_N_per_m", 1.5}, {"x_time_s", 0.25}, {"y_N_per_m", -4e5}, {"y_time_s", 0.5}}));
+  EXPECT_FALSE(json["mechanics"].contains("peak_pressures"));
+  mechanics.peak_pressures = {{"source.pump", 3e6, 0.125}};
+  const auto wet = nlohmann::json::parse(summary_json(record(), mechanics, {}));
+  EXPECT_EQ(wet["mechanics"]["peak_pressures"]["source.pump"],
+            (nlohmann::json{{"pressure_Pa", 3e6}, {"time_s", 0.125}}));
   EXPECT_EQ(json["reached_rest"], true);
   EXPECT_EQ(json["state_hash"], "abc");
   for (const char* key : {"mass_balance", "throughput_m2_per_s", "rate_m2_per_s", "extremes",

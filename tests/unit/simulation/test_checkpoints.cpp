@@ -124,6 +124,12 @@ void expect_same_from_checkpoints(const Setup& setup, const mesh::GmshMesh& mesh
       EXPECT_EQ(summary.peak_reactions[i].x, expected.peak_reactions[i].x);
       EXPECT_EQ(summary.peak_reactions[i].x_time, expected.peak_reactions[i].x_time);
     }
+    ASSERT_EQ(summary.peak_pressures.size(), expected.peak_pressures.size());
+    for (std::size_t i = 0; i < summary.peak_pressures.size(); ++i) {
+      EXPECT_EQ(summary.peak_pressures[i].name, expected.peak_pressures[i].name);
+      EXPECT_EQ(summary.peak_pressures[i].pressure, expected.peak_pressures[i].pressure);
+      EXPECT_EQ(summary.peak_pressures[i].time, expected.peak_pressures[i].time);
+    }
     ASSERT_EQ(from.rows + rest.history.size(), whole.history.size());
     for (std::size_t i = 0; i < rest.history.size(); ++i) {
       EXPECT_EQ(numbers(rest.history[i]), numbers(whole.history[from.rows + i])) << k << " " << i;

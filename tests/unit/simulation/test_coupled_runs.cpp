@@ -72,6 +72,14 @@ TEST(CoupledRuns, AWellIsShutInAndFlowsBack) {
   EXPECT_GT(pressure(1.9e-3), pressure(2.9e-3));
   EXPECT_LT(row_at(recorder.history, 3e-3).balance.relative_error, 1e-13);
   EXPECT_EQ(summary.end_time, 3e-3);
+  ASSERT_EQ(summary.peak_pressures.size(), 1u);
+  const PeakPressure& peak = summary.peak_pressures[0];
+  EXPECT_EQ(peak.name, "source.pump");
+  EXPECT_EQ(peak.pressure,
+            value_of(row_at(recorder.history, peak.time).mechanics, "source.pump.pressure_Pa"));
+  for (const HistoryRow& row : recorder.history) {
+    EXPECT_LE(value_of(row.mechanics, "source.pump.pressure_Pa"), peak.pressure);
+  }
 }
 
 /// Fluid leaves the cracks through their faces alone, and stays in the pores: what they hold more
