@@ -16,9 +16,11 @@ using Eigen::Matrix2d;
 using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
 using StrainMatrix = Eigen::Matrix<double, 3, 2>;
 
-/// Stiffness of the ground that all of a loose part stands on, which it needs to have any: over the
-/// largest modulus, all nodes together.
+/// Stiffness of the ground that all of a loose part stands on, which it needs to have any, over the
+/// largest modulus, all nodes together; and the same where supports hold, perhaps not from all
+/// sides.
 constexpr double ground = 0.1;
+constexpr double ground_of_held = 1e-5;
 /// Share of their range of softening that bonds may go at once.
 constexpr double careful = 0.5;
 
@@ -40,8 +42,9 @@ public:
   /// Gives directions that supports hold a stiffness (N/m per metre) and all a ground to stand on.
   Matrix matrix(double modulus) {
     for (Index node = 0; node < nodes_->count; ++node) {
+      const double soft = nodes_->loose_part[at(node)] != mesh::none ? ground : ground_of_held;
       const Matrix2d held = Matrix2d::Identity() - nodes_->free[at(node)] +
-                            ground / nodes_->count * Matrix2d::Identity();
+                            soft / nodes_->count * Matrix2d::Identity();
       for (Index r = 0; r < 2; ++r) {
         for (Index c = 0; c <= r; ++c) {
           entries_.emplace_back(2 * node + r, 2 * node + c, modulus * held(r, c));
