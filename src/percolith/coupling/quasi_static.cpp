@@ -27,10 +27,12 @@ constexpr int most_halvings = 10;
 constexpr int most_restless = 600;
 /// Evaluations of the forces in which the rock must come to rest as a whole.
 constexpr int most_pulls = 600;
+/// Steps of damped motion between two solutions of the flow while cracks run.
+constexpr int steps_with_cracks = 25;
 /// Iterations without a break after which cracks are taken to have stopped.
 constexpr int calm_enough = 5;
-/// Steps of damped motion between two solutions of the flow; and those in a row, while waves pass,
-/// in which forces must be in balance.
+/// The same once they have stopped; and steps in a row, while waves pass, in which forces must be
+/// in balance.
 constexpr int most_swings = 4000;
 constexpr int swings_at_rest = 50;
 /// The least force that the rock has to balance, over the internal forces.
@@ -117,7 +119,13 @@ mechanics::Changes QuasiStatic::advance(double dt, Execution& execution) {
 
 /// From `start`, which is now.
 void QuasiStatic::advance_part(double dt, int halvings, const Moment& start, Execution& execution) {
-  const Ending ending = solve(dt, halvings < most_halvings, execution);
+  pace_ = Pace::pulling;
+  Ending ending = solve(dt, halvings < most_halvings, execution);
+  if (ending.wants_motion && !gave_up_) {
+    try_again_from(start);
+    pace_ = Pace::swinging;
+    ending = solve(dt, halvings < most_halvings, execution);
+  }
   if (gave_up_) {
     return;
   }
@@ -149,7 +157,6 @@ QuasiStatic::Ending QuasiStatic::solve(double dt, bool may_be_too_long, Executio
   measure(execution);
   PressureRise rise(model_->water);
   Approach approach;
-  pace_ = Pace::pulling;
   bool broke = false;
   int settled = 0;
   int restless = 0;
@@ -163,7 +170,7 @@ QuasiStatic::Ending QuasiStatic::solve(double dt, bool may_be_too_long, Executio
     approach.see(before, pressures_of(model_->water), model_->water.state.pressure.size(),
                  softness_);
     if (is_settled(approach)) {
-      return {true, false, approach.distance()};
+      return {.is_solved = true, .distance = approach.distance()};
     }
     soften(approach);
     if (!broke) {
@@ -171,17 +178,20 @@ QuasiStatic::Ending QuasiStatic::solve(double dt, bool may_be_too_long, Executio
     }
     model_->rock.model().motion.time = time_ + dt;
     relax(execution);
+    if (pace_ == Pace::pulling && !is_at_rest_) {
+      return {.wants_motion = true};
+    }
     broke = broke || broke_;
     (is_at_rest_ ? settled : restless) += 1;
     if (gave_up_ || (may_be_too_long && broke && rise.largest() > largest_rise)) {
-      return {false, true, approach.distance()};
+      return {.is_too_long = true, .distance = approach.distance()};
     }
     measure(execution);
     if (broke_ || !is_at_rest_) {
       approach.forget();
     }
   }
-  return {false, false, approach.distance()};
+  return {.distance = approach.distance()};
 }
 
 /// The first pressures are those of a rock that has not felt this step yet.
@@ -242,29 +252,28 @@ void QuasiStatic::relax(Execution& execution) {
   relaxation_.end();
 }
 
+/// Where rock breaks, or lies so that it goes nowhere as a whole, it ends short of rest.
 void QuasiStatic::pull_to_rest(Execution& execution) {
   relaxation_.begin();
   for (int step = 1; step <= most_pulls && !is_asked_to_stop(); ++step) {
     take(relaxation_.pull(execution), execution);
     if (broke_ || relaxation_.is_lost()) {
-      break;
+      return;
     }
     is_at_rest_ = is_balanced();
     if (is_at_rest_) {
       return;
     }
   }
-  pace_ = Pace::following;
-  calm_ = 0;
 }
 
-/// One way of the whole rock, not to its end, before the fluid is asked again: what breaks must
-/// feel at once how the pressure falls in the room that it makes.
+/// Some steps from rest before the fluid is asked again: what breaks must feel at once how the
+/// pressure falls in the room that it makes.
 void QuasiStatic::follow_cracks(Execution& execution) {
   relaxation_.begin();
-  do {
-    take(relaxation_.pull(execution), execution);
-  } while (!relaxation_.goes_whole() && !is_asked_to_stop());
+  for (int step = 0; step < steps_with_cracks && !is_asked_to_stop(); ++step) {
+    take(relaxation_.swing(execution), execution);
+  }
   calm_ = broke_ ? 0 : calm_ + 1;
   if (calm_ == calm_enough) {
     pace_ = Pace::swinging;

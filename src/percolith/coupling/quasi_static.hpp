@@ -50,8 +50,9 @@ private:
   /// How the iteration of a part of a step has ended.
   struct Ending {
     bool is_solved = false;
-    bool is_too_long = false;  // rock broke, at pressures that had risen too far
-    double distance = 0.0;     // of the pressures from those looked for, over the largest
+    bool is_too_long = false;   // rock broke, at pressures that had risen too far
+    bool wants_motion = false;  // it breaks, or lies so that it goes nowhere as a whole
+    double distance = 0.0;      // of the pressures from those looked for, over the largest
   };
 
   void advance_part(double dt, int halvings, const Moment& start, Execution& execution);
@@ -90,9 +91,9 @@ private:
   int iterations_ = 0;
   int parts_ = 0;
   double softness_ = 1.0;  // factor on the compliance of cracks
-  /// How the rock goes to rest: at one go; by and by, with the fluid, while cracks run; or in
-  /// damped motion once they have stopped.
-  enum class Pace { pulling, following, swinging };
+  /// How the rock goes to rest: as a whole; in damped motion; in a few steps of it at a time, while
+  /// cracks run.
+  enum class Pace { pulling, swinging, following };
   Pace pace_ = Pace::pulling;
   int calm_ = 0;  // iterations since something broke
   // Of the last relaxation: whether rock broke in it, and whether it came to its end.

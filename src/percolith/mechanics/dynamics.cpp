@@ -108,6 +108,8 @@ void Dynamics::shift(std::span<const double> way, double dt_pull, Execution& exe
 }
 
 void Dynamics::halt() {
+  model_.energy.damping += model_.energy.kinetic;
+  model_.energy.kinetic = 0.0;
   std::fill(model_.motion.vx.begin(), model_.motion.vx.end(), 0.0);
   std::fill(model_.motion.vy.begin(), model_.motion.vy.end(), 0.0);
 }

@@ -29,7 +29,7 @@ public:
   /// Moves the corners by `way` (m), x and y in turn per corner slot, besides what `creep` with a
   /// dt of 0 left, and books works and energies.
   void shift(std::span<const double> way, double dt_pull, Execution& execution);
-  /// Takes all velocities away.
+  /// Takes all velocities away, and their energy as damping would.
   void halt();
 
   /// Takes regions' triangles out at the present time; the forces they gave to the rest fade over

@@ -24,7 +24,7 @@ constexpr double smallest_share = 0.01;
 /// Cosine of the angle between two ways below which the second takes back the first.
 constexpr double back = -0.25;
 /// No corner goes further at once than this share of the smallest joint.
-constexpr double longest_way = 0.1;
+constexpr double longest_way = 0.02;
 /// Bonds that let less than this share of a way be gone hold the rock back.
 constexpr double hampered = 0.25;
 

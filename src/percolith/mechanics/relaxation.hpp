@@ -23,9 +23,7 @@ public:
   /// Starts from rest.
   void begin();
   /// One evaluation of the forces, which leaves `Energies::unbalanced`, and the way from there.
-  /// `goes_whole()` tells whether the rock has gone as a whole in it.
   Changes pull(Execution& execution);
-  [[nodiscard]] bool goes_whole() const { return turn_ == 0; }
   /// Whether `pull` leads nowhere: forces grow as it goes on, or bonds that give way hold it back.
   [[nodiscard]] bool is_lost() const { return rising_ > patience || held_back_ > patience; }
   /// One step of damped motion.

@@ -117,12 +117,12 @@ TEST(Relaxation, ALooseBlockStaysWhereItIs) {
   std::iota(edges.begin(), edges.end(), 0);
   loads.pressure.push_back({edges, Schedule::constant(1e6)});
   Dynamics rock = test::make_dynamics(std::move(model), std::move(loads));
-  // Pressure turns with faces that joints leave ajar, so that its sum is not zero to the last digit.
+  // Pressure turns with faces that joints leave ajar, so that its sum is not zero to the last
+  // digit.
   ASSERT_GT(pull_to_rest(rock, 1e-6), 0);
   Point mean{};
-  test::for_each_corner(rock.model().mesh, [&](Index, Index c) {
-    mean = mean + test::displacement(rock.model(), c);
-  });
+  test::for_each_corner(rock.model().mesh,
+                        [&](Index, Index c) { mean = mean + test::displacement(rock.model(), c); });
   const double size = std::abs(test::displacement_at(rock.model(), {1.0, 1.0}).x);
   EXPECT_GT(size, 1e-6);
   EXPECT_LT(std::abs(mean.x) / rock.model().mesh.corners(), 1e-2 * size);
