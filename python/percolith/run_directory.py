@@ -8,16 +8,22 @@ import json
 import os
 import tomllib
 import xml.etree.ElementTree as ElementTree
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 
+from percolith.errors import Error
 from percolith.vtu import Grid, read_vtu
 
 
-class RunDirectoryError(ValueError):
+EVENT_WORDS = ("mode", "material")
+"""Columns of the events that hold text."""
+
+
+class RunDirectoryError(Error, ValueError):
     """The directory holds no results, or not those asked for."""
 
 
@@ -70,18 +76,23 @@ def read_table(path: str | os.PathLike, words: tuple[str, ...] = ()) -> Table:
     in `words` hold text, all others numbers, where a field that is empty becomes NaN. Raises
     RunDirectoryError naming the file where a field is no number."""
     with open(path, newline="") as file:
-        rows = list(csv.reader(line for line in file if not line.startswith("#")))
+        return parse_table(file, str(path), words)
+
+
+def parse_table(lines: Iterable[str], name: str, words: tuple[str, ...] = ()) -> Table:
+    """The same from the lines of a file; `name` is for messages."""
+    rows = list(csv.reader(line for line in lines if not line.startswith("#")))
     if not rows:
-        raise RunDirectoryError(f"{path}: empty table")
+        raise RunDirectoryError(f"{name}: empty table")
     names, rows = rows[0], rows[1:]
     if any(len(row) != len(names) for row in rows):
-        raise RunDirectoryError(f"{path}: not a table of numbers: rows of different lengths")
+        raise RunDirectoryError(f"{name}: not a table of numbers: rows of different lengths")
     try:
         return Table({name: np.array([row[i] for row in rows], dtype=str) if name in words
                       else np.array([float(row[i] or "nan") for row in rows], dtype=float)
                       for i, name in enumerate(names)})
     except ValueError as error:
-        raise RunDirectoryError(f"{path}: not a table of numbers: {error}") from error
+        raise RunDirectoryError(f"{name}: not a table of numbers: {error}") from error
 
 
 class RunDirectory:
@@ -129,7 +140,7 @@ class RunDirectory:
         Raises RunDirectoryError in a run of flow."""
         if not self.has_mechanics:
             raise RunDirectoryError(f"{self.path}: a run of flow has no events")
-        return read_table(self._file("events.csv"), words=("mode", "material"))
+        return read_table(self._file("events.csv"), words=EVENT_WORDS)
 
     @cached_property
     def fragments(self) -> Table:
@@ -224,3 +235,8 @@ def _series(path: Path) -> dict[float, Path]:
         return {}
     entries = ElementTree.parse(path).getroot().iter("DataSet")
     return {float(entry.get("timestep")): path.parent / entry.get("file") for entry in entries}
+
+
+def open_run(path: str | os.PathLike) -> RunDirectory:
+    """Opens the results of a run. Raises RunDirectoryError where there are none."""
+    return RunDirectory(path)

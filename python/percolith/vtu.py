@@ -11,10 +11,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from percolith.errors import Error
+
 _TYPES = {"Float64": "<f8", "Float32": "<f4", "Int32": "<i4", "Int64": "<i8", "UInt8": "u1"}
 
 
-class VtuError(ValueError):
+class VtuError(Error, ValueError):
     """The file is no field file of Percolith, or it is damaged."""
 
 

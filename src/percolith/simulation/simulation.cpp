@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/simulation/simulation.hpp"
 
+#include "percolith/simulation/set_pressure.hpp"
 #include "percolith/simulation/task.hpp"
 
 namespace percolith::simulation {
@@ -31,13 +32,68 @@ CheckReport Simulation::check() const {
   return task_->check();
 }
 
+void Simulation::begin(Observer& observer) {
+  task_->begin(observer);
+}
+
+void Simulation::begin_from(StateArchive& state, Observer& observer) {
+  task_->begin_from(state, observer);
+}
+
+Reached Simulation::advance(Observer& observer, const std::function<bool()>& stop,
+                            const Pause& pause) {
+  return task_->advance(observer, stop, pause);
+}
+
+void Simulation::leave(Observer& observer) {
+  task_->leave(observer);
+}
+
 bool Simulation::run(Observer& observer, const std::function<bool()>& stop) {
-  return task_->run(observer, stop);
+  begin(observer);
+  return advance(observer, stop) == Reached::end;
 }
 
 bool Simulation::resume(StateArchive& state, Observer& observer,
                         const std::function<bool()>& stop) {
-  return task_->resume(state, observer, stop);
+  begin_from(state, observer);
+  return advance(observer, stop) == Reached::end;
+}
+
+Frame Simulation::frame() const {
+  return task_->frame();
+}
+
+std::vector<ProbeSample> Simulation::probes() const {
+  return task_->probes();
+}
+
+HistoryRow Simulation::look() {
+  return task_->look();
+}
+
+double Simulation::time() const {
+  return task_->time();
+}
+
+std::int64_t Simulation::steps() const {
+  return task_->steps();
+}
+
+const seepage::Model* Simulation::flow() const {
+  return task_->flow();
+}
+
+const mechanics::Model* Simulation::motion() const {
+  return task_->motion();
+}
+
+void Simulation::set_pore_pressure(std::span<const double> pressure) {
+  simulation::set_pore_pressure(task_->fluid(), pressure);
+}
+
+void Simulation::set_crack_pressure(std::span<const double> pressure) {
+  simulation::set_crack_pressure(task_->fluid(), pressure);
 }
 
 Summary Simulation::summary() const {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "percolith/cli/checkpoint_keeper.hpp"
+#include "percolith/runner/checkpoint_keeper.hpp"
 
-#include "percolith/cli/version_text.hpp"
 #include "percolith/core/hash.hpp"
+#include "percolith/runner/version_text.hpp"
 
 #include <fmt/format.h>
 
-namespace percolith::cli {
+namespace percolith::runner {
 
 void CheckpointKeeper::on_checkpoint(const simulation::Checkpoint& checkpoint) {
   results_.sync();
@@ -31,4 +31,4 @@ io::CheckpointOrigin checkpoint_origin(const std::string& resolved_toml,
   return {version_text(), hash.text(), mesh_hash, case_file};
 }
 
-}  // namespace percolith::cli
+}  // namespace percolith::runner

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "percolith/cli/derived_values.hpp"
-#include "percolith/cli/finish_text.hpp"
+#include "percolith/runner/derived_values.hpp"
+#include "percolith/runner/finish_text.hpp"
 
 #include <gtest/gtest.h>
 
-namespace percolith::cli {
+namespace percolith::runner {
 namespace {
 
 simulation::Summary summary() {
@@ -85,4 +85,4 @@ TEST(DerivedValues, AreThoseOfThePhysics) {
 }
 
 }  // namespace
-}  // namespace percolith::cli
+}  // namespace percolith::runner

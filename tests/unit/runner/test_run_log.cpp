@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "percolith/cli/run_log.hpp"
 #include "percolith/core/error.hpp"
+#include "percolith/runner/run_log.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "unit/io/temporary_folder.hpp"
 
-namespace percolith::cli {
+namespace percolith::runner {
 namespace {
 
 TEST(RunLog, DatesEveryLineAndShowsWarnings) {
@@ -51,4 +51,4 @@ TEST(RunLog, TellsWhereItCannotBeOpened) {
 }
 
 }  // namespace
-}  // namespace percolith::cli
+}  // namespace percolith::runner

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "percolith/cli/run_recorder.hpp"
+#include "percolith/runner/run_recorder.hpp"
 
 #include "percolith/case/documents.hpp"
-#include "percolith/cli/console.hpp"
-#include "percolith/cli/derived_values.hpp"
-#include "percolith/cli/finish_text.hpp"
-#include "percolith/cli/version_text.hpp"
+#include "percolith/runner/derived_values.hpp"
+#include "percolith/runner/finish_text.hpp"
+#include "percolith/runner/version_text.hpp"
 
 #include <fmt/format.h>
 #include <omp.h>
 
 #include <chrono>
-#include <csignal>
 #include <vector>
 
-namespace percolith::cli {
+namespace percolith::runner {
 namespace {
 
 double seconds_now() {
@@ -52,9 +50,9 @@ std::string resolved_case(const LoadedModel& model) {
                                   derived_values(model.simulation.check(), version_and_revision()));
 }
 
-io::ProgressLine progress_line() {
-  const auto style = stdout_is_terminal() ? io::ProgressStyle::terminal : io::ProgressStyle::plain;
-  return {style, terminal_width(), print, seconds_now};
+io::ProgressLine progress_line(const Console& console) {
+  const auto style = console.is_terminal ? io::ProgressStyle::terminal : io::ProgressStyle::plain;
+  return {style, console.width, console.print, seconds_now};
 }
 
 std::vector<simulation::Observer*> chosen(io::ResultsWriter& results, CheckpointKeeper& keeper,
@@ -69,14 +67,15 @@ std::vector<simulation::Observer*> chosen(io::ResultsWriter& results, Checkpoint
 
 }  // namespace
 
-RunRecorder::RunRecorder(const io::RunDirectory& directory, const RunOptions& options,
-                         const LoadedModel& model)
-    : RunRecorder(directory, options, model, resolved_case(model)) {}
+RunRecorder::RunRecorder(const io::RunDirectory& directory, const std::string& case_file,
+                         const LoadedModel& model, const RecorderOptions& options)
+    : RunRecorder(directory, case_file, model, options, resolved_case(model)) {}
 
-RunRecorder::RunRecorder(const io::RunDirectory& directory, const RunOptions& options,
-                         const LoadedModel& model, const std::string& resolved)
-    : RunRecorder(directory, options, model,
-                  checkpoint_origin(resolved, model.mesh_hash, options.case_file.string())) {
+RunRecorder::RunRecorder(const io::RunDirectory& directory, const std::string& case_file,
+                         const LoadedModel& model, const RecorderOptions& options,
+                         const std::string& resolved)
+    : RunRecorder(directory, checkpoint_origin(resolved, model.mesh_hash, case_file), model,
+                  options) {
   has_begun_ = true;
   io::write_file(directory.file("resolved.toml"), resolved, io::Durability::synced);
   log_.information(fmt::format("percolith {} runs {} on {} threads of {}", record_.version,
@@ -86,16 +85,16 @@ RunRecorder::RunRecorder(const io::RunDirectory& directory, const RunOptions& op
   }
 }
 
-RunRecorder::RunRecorder(const io::RunDirectory& directory, const RunOptions& options,
-                         const LoadedModel& model, const io::CheckpointOrigin& origin)
-    : directory_(directory), model_(model), started_(started_at(model)), is_quiet_(options.quiet),
+RunRecorder::RunRecorder(const io::RunDirectory& directory, const io::CheckpointOrigin& origin,
+                         const LoadedModel& model, const RecorderOptions& options)
+    : directory_(directory), model_(model), started_(started_at(model)), options_(options),
       record_(record_of(origin.case_file, model)),
-      results_(directory.path(), !record_.fractures.empty()), progress_(progress_line()),
-      log_(directory.file("run.log"),
-           [this](const std::string& line) {
-             progress_.clear();
-             print_line_to_stderr(line);
-           }),
+      results_(directory.path(), !record_.fractures.empty()),
+      progress_(progress_line(options.console)), log_(directory.file("run.log"),
+                                                      [this](const std::string& line) {
+                                                        progress_.clear();
+                                                        options_.console.alert(line);
+                                                      }),
       keeper_(directory, origin, results_,
               [this](const std::string& line) {
                 has_begun_ = true;
@@ -103,12 +102,12 @@ RunRecorder::RunRecorder(const io::RunDirectory& directory, const RunOptions& op
                                              line, record_.threads, record_.processor));
                 say(line);
               }),
-      observers_(chosen(results_, keeper_, log_, progress_, is_quiet_)) {}
+      observers_(chosen(results_, keeper_, log_, progress_, options.quiet)) {}
 
 void RunRecorder::say(const std::string& text) {
   progress_.clear();
-  if (!is_quiet_) {
-    print(text + '\n');
+  if (!options_.quiet) {
+    options_.console.print(text + '\n');
   }
 }
 
@@ -137,17 +136,16 @@ void RunRecorder::finish() {
   }
 }
 
-void RunRecorder::interrupt(int signal) {
-  const std::string name = signal == SIGINT ? "SIGINT" : "SIGTERM";
-  write_summary(io::Outcome::interrupted, name);
+void RunRecorder::interrupt(const std::string& by) {
+  write_summary(io::Outcome::interrupted, by);
   const std::string folder = directory_.path().string();
   const std::string text =
       fmt::format("interrupted by {} at time {:.6g} s; results so far in {}; to go on: percolith "
                   "run --resume {}",
-                  name, model_.simulation.summary().end_time, folder, folder);
+                  by, model_.simulation.summary().end_time, folder, folder);
   log_.information(text);
   progress_.clear();
-  print_line_to_stderr(text);
+  options_.console.alert(text);
 }
 
 void RunRecorder::fail(const std::string& reason) noexcept {
@@ -162,4 +160,4 @@ void RunRecorder::fail(const std::string& reason) noexcept {
   }
 }
 
-}  // namespace percolith::cli
+}  // namespace percolith::runner

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace percolith::cli {
+namespace percolith::runner {
 
 /// The last line of a run that reached its end: when it ended, how well its balance closes (of
 /// mass, in mechanics of energy) and the folder with its results.
@@ -18,4 +18,4 @@ namespace percolith::cli {
 /// reactions (N/m) of the boundaries and bodies that had any. Without a line in a run of flow.
 [[nodiscard]] std::vector<std::string> result_lines(const simulation::Summary& summary);
 
-}  // namespace percolith::cli
+}  // namespace percolith::runner

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "percolith/cli/version_text.hpp"
+#include "percolith/runner/version_text.hpp"
 
 #include "percolith/version.hpp"
 
 #include <fmt/format.h>
 
-namespace percolith::cli {
+namespace percolith::runner {
 
 std::string version_and_revision() {
   return fmt::format("{} ({})", build::version, build::revision);
@@ -16,4 +16,4 @@ std::string version_text() {
                      build::compiler, build::flags);
 }
 
-}  // namespace percolith::cli
+}  // namespace percolith::runner

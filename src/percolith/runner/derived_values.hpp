@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-namespace percolith::cli {
+namespace percolith::runner {
 
 /// What the program worked out of a case, for the comments of its resolved copy: counts, sizes,
 /// limits of the explicit step; of flow the nodes, of mechanics its named numbers.
 [[nodiscard]] std::vector<case_file::DerivedValue>
 derived_values(const simulation::CheckReport& report, const std::string& version);
 
-}  // namespace percolith::cli
+}  // namespace percolith::runner

@@ -8,7 +8,7 @@
 #include <functional>
 #include <string>
 
-namespace percolith::cli {
+namespace percolith::runner {
 
 /// Keeps the last checkpoint of a run in its folder, with how far its results have come.
 class CheckpointKeeper : public simulation::Observer {
@@ -36,4 +36,4 @@ private:
                                                      const std::string& mesh_hash,
                                                      const std::string& case_file);
 
-}  // namespace percolith::cli
+}  // namespace percolith::runner

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "percolith/cli/finish_text.hpp"
+#include "percolith/runner/finish_text.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <string_view>
 #include <variant>
 
-namespace percolith::cli {
+namespace percolith::runner {
 namespace {
 
 std::string end_text(const simulation::Summary& summary, bool is_steady) {
@@ -71,4 +71,4 @@ std::vector<std::string> result_lines(const simulation::Summary& summary) {
   return lines;
 }
 
-}  // namespace percolith::cli
+}  // namespace percolith::runner

@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "percolith/cli/checkpoint_keeper.hpp"
-#include "percolith/cli/command_line.hpp"
-#include "percolith/cli/load_model.hpp"
-#include "percolith/cli/run_log.hpp"
 #include "percolith/io/observers.hpp"
 #include "percolith/io/progress_line.hpp"
 #include "percolith/io/results_writer.hpp"
 #include "percolith/io/run_directory.hpp"
 #include "percolith/io/summary.hpp"
+#include "percolith/runner/checkpoint_keeper.hpp"
+#include "percolith/runner/console.hpp"
+#include "percolith/runner/load_model.hpp"
+#include "percolith/runner/run_log.hpp"
 
 #include <string>
 
-namespace percolith::cli {
+namespace percolith::runner {
+
+/// How a run is told of while it goes.
+struct RecorderOptions {
+  bool quiet = false;  ///< no progress
+  Console console;
+};
 
 /// Everything a run leaves behind: the resolved input at once, results, log and progress while it
 /// goes, and how it ended. Writing throws FileError.
@@ -21,11 +27,11 @@ class RunRecorder {
 public:
   /// A run that starts: leaves its resolved input at once. `directory` and `model` must outlive the
   /// recorder.
-  RunRecorder(const io::RunDirectory& directory, const RunOptions& options,
-              const LoadedModel& model);
+  RunRecorder(const io::RunDirectory& directory, const std::string& case_file,
+              const LoadedModel& model, const RecorderOptions& options);
   /// A run that goes on from a checkpoint of this origin; `read_state` must come next.
-  RunRecorder(const io::RunDirectory& directory, const RunOptions& options,
-              const LoadedModel& model, const io::CheckpointOrigin& origin);
+  RunRecorder(const io::RunDirectory& directory, const io::CheckpointOrigin& origin,
+              const LoadedModel& model, const RecorderOptions& options);
 
   /// Reads how far the results had come; nothing is changed yet. Throws FileError where they are
   /// not there any more.
@@ -35,21 +41,23 @@ public:
   [[nodiscard]] simulation::Observer& observer() { return observers_; }
 
   void finish();
-  void interrupt(int signal);
+  /// `by`: what stopped it, a signal for instance.
+  void interrupt(const std::string& by);
   /// Leaves what can still be left (the disk may be full); throws nothing, because the error that
   /// ended the run is the one to tell.
   void fail(const std::string& reason) noexcept;
 
 private:
-  RunRecorder(const io::RunDirectory& directory, const RunOptions& options,
-              const LoadedModel& model, const std::string& resolved);
+  RunRecorder(const io::RunDirectory& directory, const std::string& case_file,
+              const LoadedModel& model, const RecorderOptions& options,
+              const std::string& resolved);
   void write_summary(io::Outcome outcome, const std::string& reason);
   void say(const std::string& text);
 
   const io::RunDirectory& directory_;
   const LoadedModel& model_;
   double started_;  // s, wall time
-  bool is_quiet_;
+  RecorderOptions options_;
   bool has_begun_ = false;  // to change what the folder holds
   io::RunRecord record_;
   io::ResultsWriter results_;
@@ -59,4 +67,4 @@ private:
   io::Observers observers_;
 };
 
-}  // namespace percolith::cli
+}  // namespace percolith::runner

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "percolith/cli/run_log.hpp"
+#include "percolith/runner/run_log.hpp"
 
 #include "percolith/core/error.hpp"
 
@@ -9,7 +9,7 @@
 
 #include <utility>
 
-namespace percolith::cli {
+namespace percolith::runner {
 namespace {
 
 std::shared_ptr<spdlog::sinks::sink> open_sink(const std::filesystem::path& file) {
@@ -73,4 +73,4 @@ void RunLog::on_probes(double time, const std::vector<simulation::ProbeSample>&)
   information(fmt::format("output at time {} s", time));
 }
 
-}  // namespace percolith::cli
+}  // namespace percolith::runner

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace percolith::cli {
+namespace percolith::runner {
 
 /// The log of a run (`run.log`), one dated line an event, each on disk before the call returns.
 /// Warnings are also shown to the user. Throws FileError where a line cannot be written.
@@ -36,4 +36,4 @@ private:
   Show show_;
 };
 
-}  // namespace percolith::cli
+}  // namespace percolith::runner

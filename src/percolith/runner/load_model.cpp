@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "percolith/cli/load_model.hpp"
+#include "percolith/runner/load_model.hpp"
 
 #include "percolith/mesh/gmsh_geo.hpp"
 
 #include <chrono>
 #include <utility>
 
-namespace percolith::cli {
+namespace percolith::runner {
 namespace {
 
 // Calls `work`, adds its wall time to `account`, and returns what it returns.
@@ -33,11 +33,14 @@ mesh::GmshMesh read_mesh(const case_file::Case& read) {
 
 }  // namespace
 
-LoadedModel load_model(const std::filesystem::path& case_file,
-                       std::span<const std::string> overrides) {
+case_file::Case read_case(const CaseSource& source) {
+  return source.text ? case_file::read_case_text(*source.text, source.file, source.overrides)
+                     : case_file::read_case(source.file, source.overrides);
+}
+
+LoadedModel load_model(const CaseSource& source) {
   std::map<std::string, double> wall_time;
-  case_file::Case read =
-      timed(wall_time["case file"], [&] { return case_file::read_case(case_file, overrides); });
+  case_file::Case read = timed(wall_time["case file"], [&] { return read_case(source); });
   try {
     const mesh::GmshMesh mesh = timed(wall_time["mesh file"], [&] { return read_mesh(read); });
     simulation::Simulation built =
@@ -48,4 +51,4 @@ LoadedModel load_model(const std::filesystem::path& case_file,
   }
 }
 
-}  // namespace percolith::cli
+}  // namespace percolith::runner

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "percolith/cli/derived_values.hpp"
+#include "percolith/runner/derived_values.hpp"
 
 #include <fmt/format.h>
 
 #include <variant>
 
-namespace percolith::cli {
+namespace percolith::runner {
 
 std::vector<case_file::DerivedValue> derived_values(const simulation::CheckReport& report,
                                                     const std::string& version) {
@@ -28,4 +28,4 @@ std::vector<case_file::DerivedValue> derived_values(const simulation::CheckRepor
   return derived;
 }
 
-}  // namespace percolith::cli
+}  // namespace percolith::runner

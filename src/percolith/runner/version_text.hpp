@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace percolith::cli {
+namespace percolith::runner {
 
 /// Version and revision, as results carry them: `0.1.0 (4ff44d5)`.
 [[nodiscard]] std::string version_and_revision();
@@ -11,4 +11,4 @@ namespace percolith::cli {
 /// What `percolith --version` prints: version, revision, compiler and its flags.
 [[nodiscard]] std::string version_text();
 
-}  // namespace percolith::cli
+}  // namespace percolith::runner
