@@ -85,6 +85,14 @@ std::span<const double> span_of(const Values& values) {
   return {values.data(), values.shape(0)};
 }
 
+std::vector<Point> points_of(const Values& values) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i + 1 < values.shape(0); i += 2) {
+    points.push_back({values.data()[i], values.data()[i + 1]});
+  }
+  return points;
+}
+
 void bind_driving(nb::class_<DrivenRun>& run) {
   run.def_static("start", &start, "file"_a, "text"_a = nb::none(),
                  "overrides"_a = std::vector<std::string>(), "output"_a = nb::none(),
@@ -141,6 +149,16 @@ void bind_run(nb::module_& module) {
   nb::class_<DrivenRun> run(module, "Run", "A case on its way to its results.");
   bind_driving(run);
   bind_looks(run);
+  run.def(
+      "start_from",
+      [](DrivenRun& r, const Values& displacement, const Values& velocity) {
+        r.with([&](Simulation&) {
+          r.run()->start_from({points_of(displacement), points_of(velocity)});
+        });
+      },
+      "displacement"_a, "velocity"_a,
+      "Displacements (m) and velocities (m/s) at time zero, x and y of each vertex in turn; empty "
+      "for none. Raises CaseError.");
   run.def(
       "set_pore_pressure",
       [](DrivenRun& r, const Values& pressure) {

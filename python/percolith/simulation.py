@@ -246,6 +246,22 @@ class Simulation:
             raise RunDirectoryError(absent)
         return parse_table(io.StringIO(tables[name]), name, words=EVENT_WORDS)
 
+    def set_motion(self, displacement: Any = None, velocity: Any = None) -> None:
+        """Gives a dry rock displacements (m) and velocities (m/s) at time zero, each an array
+        (vertices, 2), before its first step; the strains they mean store energy from the start.
+        Arrays that were taken before show the model without them. Raises CaseError for values
+        that are not finite or turn a triangle over, once the run has begun, for a rock with flow,
+        and for a run that writes results, since its checkpoints would not tell of such a start."""
+        self._run.start_from(self._vertex_vectors("displacement", displacement),
+                             self._vertex_vectors("velocity", velocity))
+
+    def _vertex_vectors(self, name: str, given: Any) -> np.ndarray:
+        shape = self.mesh.vertices.shape
+        values = np.zeros(0) if given is None else np.ascontiguousarray(given, dtype=float)
+        if given is not None and values.shape != shape:
+            raise CaseError(f"error: {name}: an array of shape {values.shape}; allowed: {shape}")
+        return values.ravel()
+
     def set_pressure(self, pressure: Any) -> None:
         """Gives the pores pressures, Pa: one number, an array (vertices,), or one (triangles, 3)
         where the pressure jumps across cracks. Nodes become full. Contents follow; the fluid that

@@ -46,7 +46,7 @@ std::unique_ptr<CaseRun> CaseRun::start(const RunRequest& request, Console conso
     directory = io::RunDirectory::open(*request.output, request.existing);
   }
   // Its parts refer to each other: it stays where it is.
-  std::unique_ptr<CaseRun> run(new CaseRun(std::move(model), std::move(directory)));
+  std::unique_ptr<CaseRun> run(new CaseRun(request.source, std::move(model), std::move(directory)));
   if (run->directory_) {
     run->recorder_.emplace(*run->directory_, request.source.file.string(), run->model_,
                            RecorderOptions{request.quiet, std::move(console)});
@@ -70,11 +70,12 @@ std::unique_ptr<CaseRun> CaseRun::reopen(const std::filesystem::path& folder,
   io::CheckpointOrigin origin =
       checkpoint_origin(resolved, checkpoint->origin().mesh_hash, checkpoint->origin().case_file);
   checkpoint->require_origin(origin);
-  LoadedModel model = load_model({case_file, {}, {}});
+  const CaseSource source{case_file, {}, {}};
+  LoadedModel model = load_model(source);
   origin.mesh_hash = model.mesh_hash;
   checkpoint->require_origin(origin);
 
-  std::unique_ptr<CaseRun> run(new CaseRun(std::move(model), std::move(directory)));
+  std::unique_ptr<CaseRun> run(new CaseRun(source, std::move(model), std::move(directory)));
   run->checkpoint_ = std::move(checkpoint);
   run->state_.emplace(run->checkpoint_->state());
   run->recorder_.emplace(*run->directory_, origin, run->model_,
@@ -91,8 +92,27 @@ auto CaseRun::guarded(const Work& work) {
     if (recorder_) {
       recorder_->fail(error.what());
     }
+    release();
     throw;
   }
+}
+
+void CaseRun::release() {
+  recorder_.reset();
+  directory_.reset();
+}
+
+void CaseRun::start_from(const simulation::StartingMotion& start) {
+  if (observer_ || recorder_) {
+    throw InputError({{},
+                      start.displacement.empty() ? "velocity" : "displacement",
+                      "",
+                      observer_ ? "the run has begun" : "the run writes results",
+                      "a run without results, before its first step"});
+  }
+  LoadedModel again = load_model(source_, start);
+  former_.push_back(std::move(model_.simulation));
+  model_.simulation = std::move(again.simulation);
 }
 
 void CaseRun::begin() {
@@ -115,6 +135,9 @@ simulation::Reached CaseRun::advance(const std::function<bool()>& stop,
   if (reached == simulation::Reached::end && recorder_) {
     recorder_->finish();
   }
+  if (reached == simulation::Reached::end) {
+    release();
+  }
   return reached;
 }
 
@@ -122,6 +145,7 @@ void CaseRun::interrupt(const std::string& by) {
   if (recorder_) {
     recorder_->interrupt(by);
   }
+  release();
 }
 
 void CaseRun::leave(const std::string& by) {

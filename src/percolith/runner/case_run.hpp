@@ -44,6 +44,11 @@ public:
   /// From now on `observer` is told what the run reports, too; before `begin`.
   void add_observer(simulation::Observer& observer) { observers_.push_back(&observer); }
 
+  /// Builds the model anew with this motion at time zero; before `begin`. What was seen of the
+  /// model before stays as it was. Throws InputError as the constructor of `Simulation`, and where
+  /// results are written, because a checkpoint would not tell of such a start.
+  void start_from(const simulation::StartingMotion& start);
+
   /// Starts, at time zero or from the checkpoint.
   void begin();
   /// As `Simulation::advance`. At the end the results are completed. What is thrown on the way is
@@ -59,13 +64,17 @@ public:
   [[nodiscard]] const case_file::Case& read_case() const { return model_.read_case; }
 
 private:
-  CaseRun(LoadedModel model, std::optional<io::RunDirectory> directory)
-      : directory_(std::move(directory)), model_(std::move(model)) {}
+  CaseRun(CaseSource source, LoadedModel model, std::optional<io::RunDirectory> directory)
+      : source_(std::move(source)), directory_(std::move(directory)), model_(std::move(model)) {}
   template <class Work>
   auto guarded(const Work& work);
+  /// Gives the folder free once nothing more is written to it.
+  void release();
 
+  CaseSource source_;
   std::optional<io::RunDirectory> directory_;
   LoadedModel model_;
+  std::vector<simulation::Simulation> former_;  // that someone may still look at
   std::optional<RunRecorder> recorder_;
   std::unique_ptr<io::CheckpointFile> checkpoint_;  // what the run goes on from
   std::optional<StateReader> state_;                // of the checkpoint

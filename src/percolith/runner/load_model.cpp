@@ -38,13 +38,13 @@ case_file::Case read_case(const CaseSource& source) {
                      : case_file::read_case(source.file, source.overrides);
 }
 
-LoadedModel load_model(const CaseSource& source) {
+LoadedModel load_model(const CaseSource& source, const simulation::StartingMotion& start) {
   std::map<std::string, double> wall_time;
   case_file::Case read = timed(wall_time["case file"], [&] { return read_case(source); });
   try {
     const mesh::GmshMesh mesh = timed(wall_time["mesh file"], [&] { return read_mesh(read); });
     simulation::Simulation built =
-        timed(wall_time["model"], [&] { return simulation::Simulation(read.setup, mesh); });
+        timed(wall_time["model"], [&] { return simulation::Simulation(read.setup, mesh, start); });
     return {std::move(read), std::move(built), std::move(wall_time), mesh::hash_of(mesh)};
   } catch (const InputError& error) {
     throw case_file::locate(error, read);

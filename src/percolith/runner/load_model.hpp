@@ -32,6 +32,7 @@ struct CaseSource {
 
 /// Reads the case, reads or makes its mesh, and builds the model. Throws InputErrors that carry the
 /// place in the case file or the mesh file, and FileErrors.
-[[nodiscard]] LoadedModel load_model(const CaseSource& source);
+[[nodiscard]] LoadedModel load_model(const CaseSource& source,
+                                     const simulation::StartingMotion& start = {});
 
 }  // namespace percolith::runner

@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/simulation/simulation.hpp"
 
+#include "percolith/core/error.hpp"
 #include "percolith/simulation/set_pressure.hpp"
 #include "percolith/simulation/task.hpp"
 
 namespace percolith::simulation {
 namespace {
 
-std::unique_ptr<Task> make_task(const Setup& setup, const mesh::GmshMesh& mesh) {
+std::unique_ptr<Task> make_task(const Setup& setup, const mesh::GmshMesh& mesh,
+                                const StartingMotion& start) {
+  if (!start.empty() && setup.model.physics != Physics::mechanics) {
+    throw InputError({{},
+                      "model.physics",
+                      "",
+                      "displacements and velocities are given to a rock with flow",
+                      "those of a rock with \"mechanics\" alone"});
+  }
   switch (setup.model.physics) {
   case Physics::mechanics:
-    return make_solid_task(setup, mesh);
+    return make_solid_task(setup, mesh, start);
   case Physics::coupled:
     return make_coupled_task(setup, mesh);
   case Physics::seepage:
@@ -21,8 +30,8 @@ std::unique_ptr<Task> make_task(const Setup& setup, const mesh::GmshMesh& mesh) 
 
 }  // namespace
 
-Simulation::Simulation(const Setup& setup, const mesh::GmshMesh& mesh)
-    : task_(make_task(setup, mesh)) {}
+Simulation::Simulation(const Setup& setup, const mesh::GmshMesh& mesh, const StartingMotion& start)
+    : task_(make_task(setup, mesh, start)) {}
 
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;

@@ -5,6 +5,7 @@
 #include "percolith/simulation/pause.hpp"
 #include "percolith/simulation/report.hpp"
 #include "percolith/simulation/setup.hpp"
+#include "percolith/simulation/starting_motion.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -14,9 +15,6 @@
 #include <vector>
 
 namespace percolith::seepage {
-struct Model;
-}
-namespace percolith::mechanics {
 struct Model;
 }
 
@@ -29,7 +27,8 @@ class Simulation {
 public:
   /// Builds the model at time zero. Throws InputError, with the option path as key, for unknown
   /// group names, contradicting conditions, an unusable mesh or a missing pressure datum.
-  Simulation(const Setup& setup, const mesh::GmshMesh& mesh);
+  /// Only a dry rock may have a `start`, key `model.physics` otherwise.
+  Simulation(const Setup& setup, const mesh::GmshMesh& mesh, const StartingMotion& start = {});
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;

@@ -318,9 +318,12 @@ StepEnd SolidTask::end_step(double output, bool stopped) {
           stopped};
 }
 
-std::unique_ptr<Task> make_solid_task(const Setup& setup, const mesh::GmshMesh& mesh) {
+std::unique_ptr<Task> make_solid_task(const Setup& setup, const mesh::GmshMesh& mesh,
+                                      const StartingMotion& start) {
   require_sensible_intervals(setup);
-  return std::make_unique<SolidTask>(setup, make_solid_run(setup, build_solid(setup, mesh)));
+  SolidStart rock =
+      build_solid(setup, mesh, [&](mechanics::Model& model) { set_motion(model, start); });
+  return std::make_unique<SolidTask>(setup, make_solid_run(setup, std::move(rock)));
 }
 
 }  // namespace percolith::simulation

@@ -5,14 +5,12 @@
 #include "percolith/simulation/pause.hpp"
 #include "percolith/simulation/report.hpp"
 #include "percolith/simulation/setup.hpp"
+#include "percolith/simulation/starting_motion.hpp"
 
 #include <functional>
 #include <memory>
 
 namespace percolith::seepage {
-struct Model;
-}
-namespace percolith::mechanics {
 struct Model;
 }
 
@@ -54,7 +52,8 @@ public:
 /// Flow through a rock at rest, motion of a dry rock, and both coupled. They throw InputError as
 /// the constructor of `Simulation` does.
 [[nodiscard]] std::unique_ptr<Task> make_flow_task(const Setup& setup, const mesh::GmshMesh& mesh);
-[[nodiscard]] std::unique_ptr<Task> make_solid_task(const Setup& setup, const mesh::GmshMesh& mesh);
+[[nodiscard]] std::unique_ptr<Task> make_solid_task(const Setup& setup, const mesh::GmshMesh& mesh,
+                                                    const StartingMotion& start);
 [[nodiscard]] std::unique_ptr<Task> make_coupled_task(const Setup& setup,
                                                       const mesh::GmshMesh& mesh);
 
