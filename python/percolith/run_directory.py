@@ -8,16 +8,19 @@ import json
 import os
 import tomllib
 import xml.etree.ElementTree as ElementTree
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from percolith.errors import Error
 from percolith.vtu import Grid, read_vtu
 
+if TYPE_CHECKING:
+    import pandas
 
 EVENT_WORDS = ("mode", "material")
 """Columns of the events that hold text."""
@@ -34,6 +37,16 @@ class Frame:
     time: float
     matrix: Grid
     cracks: Grid | None
+
+    def crack_table(self) -> Table:
+        """The segments of the cracks, a row each: x0_m, y0_m, x1_m, y1_m of their ends and all that
+        is known of them. Without rows where there is no crack."""
+        if self.cracks is None:
+            return Table({name: np.empty(0) for name in ("x0_m", "y0_m", "x1_m", "y1_m")})
+        ends = self.cracks.points[self.cracks.cells]
+        places = {f"{axis}{end}_m": ends[:, end, i] for end in (0, 1)
+                  for i, axis in enumerate("xy")}
+        return Table({**places, **self.cracks.cell_data})
 
 
 @dataclass
@@ -54,6 +67,15 @@ class Table:
     def where(self, mask: np.ndarray) -> Table:
         """The rows that `mask` chooses."""
         return Table({name: values[mask] for name, values in self.columns.items()})
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.columns)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The table as a frame of pandas. Raises ImportError where that is not installed."""
+        import pandas
+
+        return pandas.DataFrame(self.columns)
 
     def at_time(self, time: float | None = None) -> Table:
         """The rows at the time (s) nearest to `time`; the last time when None. Raises
@@ -96,7 +118,8 @@ def parse_table(lines: Iterable[str], name: str, words: tuple[str, ...] = ()) ->
 
 
 class RunDirectory:
-    """The results of one run. Files are read when first asked for.
+    """The results of one run, as `percolith.open_run` opens them. Files are read when first asked
+    for; arrays and columns carry their SI units in their names.
 
     Raises RunDirectoryError when `path` is no directory or holds no results.
     """
@@ -213,6 +236,10 @@ class RunDirectory:
         cracks = self._crack_files.get(chosen)
         matrix = read_vtu(self._matrix_files[chosen])
         return Frame(chosen, matrix, read_vtu(cracks) if cracks else None)
+
+    def frames(self) -> Iterator[Frame]:
+        """All frames in the order of time, each read when its turn comes."""
+        return (self.frame(time) for time in self.times)
 
     def _file(self, name: str) -> Path:
         path = self.path / name
