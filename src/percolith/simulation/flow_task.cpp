@@ -84,6 +84,9 @@ public:
     return run_.probes.read(run_.model);
   }
   [[nodiscard]] HistoryRow look() override {
+    if (setup_.time.scheme == Scheme::steady && run_.summary.steps > 0) {
+      return run_.summary.last;
+    }
     HistoryRow row =
         history_row(run_.model, mass_balance(run_.model, run_.in_place_at_start, run_.execution));
     row.step = run_.summary.steps;
