@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from percolith.case import Case
     from percolith.options import Option, describe, option_names
     from percolith.simulation import Simulation, quantity, resume
-    from percolith.sweep import Sweep, sweep
+    from percolith.sweeps import Sweep, sweep
 
     __version__: str
 
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 _LATER = {
     "Case": "case", "Simulation": "simulation", "resume": "simulation", "quantity": "simulation",
     "Option": "options", "describe": "options", "option_names": "options",
-    "Sweep": "sweep", "sweep": "sweep",
+    "Sweep": "sweeps", "sweep": "sweeps",
 }
 
 __all__ = [

@@ -179,6 +179,10 @@ class Case(Options):
         Raises CaseError and FileError."""
         return start_run(self.source).check()
 
+    def to_toml(self) -> str:
+        """The options as the text of a case file, without comments."""
+        return document(self._tree)
+
     def save(self, path: str | os.PathLike) -> None:
         """Writes the case as a case file, without comments. Files that it names relative to
         another folder are named from the new one. Raises FileError."""

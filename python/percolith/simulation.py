@@ -58,6 +58,7 @@ def reopen_run(folder: str | os.PathLike, threads: int | None = None,
 
 
 def _require_threads(threads: int | None) -> None:
+    # None: as many as OpenMP takes.
     if threads is not None and threads < 1:
         raise CaseError(f"error: threads = {threads}: no number of threads; allowed: 1 or more")
 
