@@ -206,14 +206,17 @@ class RunDirectory:
 
     @property
     def title(self) -> str:
+        """The title of the case, or the name of the folder."""
         return self.resolved.get("title", "") or self.path.name
 
     @property
     def is_steady(self) -> bool:
+        """Whether the run found a steady flow and nothing else."""
         return not self.has_mechanics and self.resolved.get("time", {}).get("scheme") == "steady"
 
     @property
     def probe_names(self) -> list[str]:
+        """Names of the probes, in alphabetical order."""
         return sorted(file.stem for file in (self.path / "probes").glob("*.csv"))
 
     def probe(self, name: str) -> Table:

@@ -15,18 +15,20 @@ from __future__ import annotations
 import argparse
 import itertools
 import json
-import multiprocessing
 import os
+import signal
+import subprocess
 import sys
 import warnings
 from collections.abc import Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from percolith import errors
 from percolith.case import Case
 from percolith.errors import CaseError, CaseWarning, Error, FileError
 from percolith.run_directory import RunDirectory, Table
@@ -104,22 +106,18 @@ class Sweep:
         if processes < 1:
             raise CaseError(f"error: processes = {processes}: allowed: 1 or more")
         left = [point.number for point in self.points if point.state != "finished"]
-        failed: dict[int, Error] = {}
-        # Processes that are not forked share no threads or locks with this one.
-        context = multiprocessing.get_context("spawn")
-        with ProcessPoolExecutor(min(processes, max(1, len(left))), mp_context=context) as pool:
-            jobs = {pool.submit(_run_point, str(self.folder), number, threads): number
-                    for number in left}
+        working: set[subprocess.Popen] = set()
+        with ThreadPoolExecutor(processes) as pool:
+            jobs = [pool.submit(_run_elsewhere, self.folder, number, threads, working)
+                    for number in left]
             try:
-                for job in as_completed(jobs):
-                    try:
-                        job.result()
-                    except Error as error:
-                        failed[jobs[job]] = error
+                ended = [job.result() for job in jobs]
             except BaseException:
-                pool.shutdown(wait=True, cancel_futures=True)
+                pool.shutdown(wait=False, cancel_futures=True)
+                for process in list(working):
+                    process.send_signal(signal.SIGINT)
                 raise
-        return dict(sorted(failed.items()))
+        return {number: error for number, error in zip(left, ended) if error is not None}
 
     def table(self) -> Table:
         """A row a point: `point`, `state`, its options, and the numbers of its summary, those of
@@ -129,11 +127,27 @@ class Sweep:
         return Table({name: _column([row.get(name) for row in rows]) for name in names})
 
 
-def _run_point(folder: str, number: int, threads: int) -> None:
-    """What a process of a sweep does; warnings are in the logs of the runs."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", CaseWarning)
-        Sweep(folder).run_point(number, threads=threads)
+def _run_elsewhere(folder: Path, number: int, threads: int,
+                   working: set[subprocess.Popen]) -> Error | None:
+    """Runs a point in a process of its own; returns what went wrong. Warnings are in the log of
+    the run. The process does not import the program that asks for it."""
+    package = str(Path(__file__).absolute().parent.parent)
+    path = os.pathsep.join([package, *filter(None, [os.environ.get("PYTHONPATH")])])
+    words = [sys.executable, "-W", "ignore", "-m", "percolith.sweeps", str(folder), "--point",
+             str(number), "--threads", str(threads), "--errors", "json"]
+    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                               env={**os.environ, "PYTHONPATH": path})
+    working.add(process)
+    out, told = process.communicate()
+    working.discard(process)
+    if process.returncode == 0:
+        return None
+    try:
+        failure = json.loads(out)
+        return getattr(errors, failure["error"])(failure["message"])
+    except (ValueError, KeyError, AttributeError):
+        return Error(f"the process of point {number} ended with exit code {process.returncode}: "
+                     f"{told.strip()[-1000:]}")
 
 
 def _row(point: Point) -> dict[str, Any]:
@@ -216,6 +230,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--list", action="store_true", help="tell how far each point is")
     parser.add_argument("--processes", type=int, metavar="N", help="runs at once")
     parser.add_argument("--threads", type=int, default=None, metavar="N", help="of each run")
+    parser.add_argument("--errors", choices=("text", "json"), default="text",
+                        help="how the error of a point is told: as text, or to the standard output "
+                        "as JSON")
     return parser
 
 
@@ -233,7 +250,10 @@ def main(words: list[str] | None = None) -> int:
             return 0
         failed = chosen.run(processes=arguments.processes, threads=arguments.threads or 1)
     except Error as error:
-        print(error, file=sys.stderr)
+        if arguments.errors == "json":
+            print(json.dumps({"error": type(error).__name__, "message": str(error)}))
+        else:
+            print(error, file=sys.stderr)
         return 2
     for number, error in failed.items():
         print(f"point {number}: {error}", file=sys.stderr)

@@ -2,9 +2,13 @@
 """Many runs of one case."""
 
 import json
+import os
 import shutil
+import signal
 import subprocess
 import sys
+import threading
+import time
 
 import numpy as np
 import percolith
@@ -104,3 +108,24 @@ def test_a_job_of_an_array_runs_one_point(case, tmp_path, capsys):
     assert "3 finished " + json.dumps(sweep.points[3].options) in capsys.readouterr().out
     assert main([str(sweep.folder), "--point", "9"]) == 2
     assert "no number of a point" in capsys.readouterr().err
+
+
+def test_ctrl_c_ends_a_sweep_that_goes_on_later(case, tmp_path):
+    case["time"] = {"scheme": "explicit", "end": "1e6 s"}
+    del case["output.times"]
+    sweep = percolith.sweep(case, {"boundary.left.pressure": [1e5, 2e5, 3e5]}, tmp_path / "study")
+
+    def interrupt():
+        deadline = time.monotonic() + 60
+        while not all((sweep.points[i].folder / "history.csv").is_file() for i in (0, 1)):
+            assert time.monotonic() < deadline
+            time.sleep(0.05)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    thread = threading.Thread(target=interrupt)
+    thread.start()
+    with pytest.raises(KeyboardInterrupt):
+        sweep.run(processes=2)
+    thread.join()
+    assert [point.state for point in sweep.points] == ["interrupted", "interrupted", "waiting"]
+    assert (sweep.points[0].folder / "checkpoint.bin").is_file()
