@@ -16,6 +16,7 @@ from percolith.errors import (
     Problem,
     SolverError,
 )
+from percolith.processor import require_processor
 from percolith.run_directory import Frame, RunDirectory, RunDirectoryError, Table, open_run
 from percolith.vtu import Grid, VtuError, read_vtu
 
@@ -57,6 +58,7 @@ def __getattr__(name: str) -> object:
 
 
 def _extension(module: str):
+    require_processor()
     try:
         return importlib.import_module(f"percolith.{module}")
     except ModuleNotFoundError as error:

@@ -72,3 +72,13 @@ def test_results_are_read_without_the_extension(tmp_path):
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert "pip install ." in done.stdout
+
+
+def test_a_processor_that_is_too_old_is_told_before_it_fails():
+    from percolith.processor import missing_features
+
+    new = "processor : 0\nflags\t\t: fpu avx2 bmi1 bmi2 f16c fma movbe\n"
+    assert missing_features("x86-64-v3", new) == []
+    assert missing_features("x86-64-v3", new.replace("fma ", "")) == ["fma"]
+    assert missing_features("x86-64-v3", "Features : asimd\n") == []
+    assert missing_features("", "flags : fpu\n") == []
