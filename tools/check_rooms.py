@@ -11,7 +11,7 @@ from pathlib import Path
 
 # The physics never knows how it is described or written, and its two halves meet in coupling only.
 PHYSICS = {"core", "time", "mesh", "material", "mechanics", "seepage", "coupling", "simulation"}
-OUTSIDE = {"io", "case", "cli"}
+OUTSIDE = {"io", "case", "runner", "cli"}
 APART = [("mechanics", "seepage"), ("seepage", "mechanics")]
 GENERATED = {"version.hpp"}
 

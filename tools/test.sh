@@ -4,13 +4,18 @@
 source "$(dirname "$0")/lib.sh"
 source "$(dirname "$0")/stages.sh"
 
-# Each folder in a process of its own, because each has helpers of its own in a conftest.py.
+# Each folder in a process of its own, because each has helpers of its own in a conftest.py. Those of
+# the package take it with its extension, as the build left it.
 python_tests() {
-  local name report
-  for name in tools python cli reference; do
+  local name report package
+  for name in tools python cli reference package; do
     report=build/python-$name.xml
+    package=$PWD/python
+    if [[ $name == package ]]; then
+      package=$PWD/build/developer/python
+    fi
     suite "Python tests ($name)" "$report" \
-      env PERCOLITH="$PWD/build/developer/bin/percolith" PYTHONPATH="$PWD/python" MPLBACKEND=Agg \
+      env PERCOLITH="$PWD/build/developer/bin/percolith" PYTHONPATH="$package" MPLBACKEND=Agg \
       .venv/bin/python -m pytest -q -p no:cacheprovider --durations=3 --durations-min=1 \
       --junitxml="$report" "tests/$name"
   done

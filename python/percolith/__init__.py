@@ -1,7 +1,69 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads and draws the results of Percolith, the simulator of fractured porous rock."""
+"""Percolith, the simulator of fractured porous rock: cases, runs and their results.
 
-from percolith.run_directory import Frame, RunDirectory, RunDirectoryError
-from percolith.vtu import Grid, read_vtu
+Reading and drawing results needs numpy alone; what runs the simulator is loaded with its first use.
+"""
 
-__all__ = ["Frame", "Grid", "RunDirectory", "RunDirectoryError", "read_vtu"]
+import importlib
+from typing import TYPE_CHECKING
+
+from percolith.errors import (
+    CaseError,
+    CaseWarning,
+    Error,
+    FileError,
+    MeshError,
+    Problem,
+    SolverError,
+)
+from percolith.processor import require_processor
+from percolith.run_directory import Frame, RunDirectory, RunDirectoryError, Table, open_run
+from percolith.vtu import Grid, VtuError, read_vtu
+
+if TYPE_CHECKING:
+    from percolith import mesh
+    from percolith.case import Case
+    from percolith.options import Option, describe, option_names
+    from percolith.simulation import Simulation, quantity, resume
+    from percolith.sweeps import Sweep, sweep
+
+    __version__: str
+
+# Where names that need the extension come from.
+_LATER = {
+    "Case": "case", "Simulation": "simulation", "resume": "simulation", "quantity": "simulation",
+    "Option": "options", "describe": "options", "option_names": "options",
+    "Sweep": "sweeps", "sweep": "sweeps",
+}
+
+__all__ = [
+    "Case", "CaseError", "CaseWarning", "Error", "FileError", "Frame", "Grid", "MeshError",
+    "Option", "Problem", "RunDirectory", "RunDirectoryError", "Simulation", "SolverError", "Sweep",
+    "Table", "VtuError", "__version__", "describe", "mesh", "open_run", "option_names", "quantity",
+    "read_vtu", "resume", "sweep",
+]
+
+
+def __getattr__(name: str) -> object:
+    if name == "__version__":
+        value = _extension("_core").version
+    elif name == "mesh":
+        value = importlib.import_module("percolith.mesh")
+    elif name in _LATER:
+        value = getattr(_extension(_LATER[name]), name)
+    else:
+        raise AttributeError(f"module 'percolith' has no attribute {name!r}")
+    globals()[name] = value
+    return value
+
+
+def _extension(module: str):
+    require_processor()
+    try:
+        return importlib.import_module(f"percolith.{module}")
+    except ModuleNotFoundError as error:
+        if error.name != "percolith._core":
+            raise
+        raise ImportError("percolith was not built to run cases from Python: install it with "
+                          "`pip install .` in its sources; reading and drawing results works "
+                          "without") from error

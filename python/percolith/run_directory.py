@@ -8,16 +8,25 @@ import json
 import os
 import tomllib
 import xml.etree.ElementTree as ElementTree
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from percolith.errors import Error
 from percolith.vtu import Grid, read_vtu
 
+if TYPE_CHECKING:
+    import pandas
 
-class RunDirectoryError(ValueError):
+EVENT_WORDS = ("mode", "material")
+"""Columns of the events that hold text."""
+
+
+class RunDirectoryError(Error, ValueError):
     """The directory holds no results, or not those asked for."""
 
 
@@ -28,6 +37,16 @@ class Frame:
     time: float
     matrix: Grid
     cracks: Grid | None
+
+    def crack_table(self) -> Table:
+        """The segments of the cracks, a row each: x0_m, y0_m, x1_m, y1_m of their ends and all that
+        is known of them. Without rows where there is no crack."""
+        if self.cracks is None:
+            return Table({name: np.empty(0) for name in ("x0_m", "y0_m", "x1_m", "y1_m")})
+        ends = self.cracks.points[self.cracks.cells]
+        places = {f"{axis}{end}_m": ends[:, end, i] for end in (0, 1)
+                  for i, axis in enumerate("xy")}
+        return Table({**places, **self.cracks.cell_data})
 
 
 @dataclass
@@ -48,6 +67,15 @@ class Table:
     def where(self, mask: np.ndarray) -> Table:
         """The rows that `mask` chooses."""
         return Table({name: values[mask] for name, values in self.columns.items()})
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.columns)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The table as a frame of pandas. Raises ImportError where that is not installed."""
+        import pandas
+
+        return pandas.DataFrame(self.columns)
 
     def at_time(self, time: float | None = None) -> Table:
         """The rows at the time (s) nearest to `time`; the last time when None. Raises
@@ -70,22 +98,28 @@ def read_table(path: str | os.PathLike, words: tuple[str, ...] = ()) -> Table:
     in `words` hold text, all others numbers, where a field that is empty becomes NaN. Raises
     RunDirectoryError naming the file where a field is no number."""
     with open(path, newline="") as file:
-        rows = list(csv.reader(line for line in file if not line.startswith("#")))
+        return parse_table(file, str(path), words)
+
+
+def parse_table(lines: Iterable[str], name: str, words: tuple[str, ...] = ()) -> Table:
+    """The same from the lines of a file; `name` is for messages."""
+    rows = list(csv.reader(line for line in lines if not line.startswith("#")))
     if not rows:
-        raise RunDirectoryError(f"{path}: empty table")
+        raise RunDirectoryError(f"{name}: empty table")
     names, rows = rows[0], rows[1:]
     if any(len(row) != len(names) for row in rows):
-        raise RunDirectoryError(f"{path}: not a table of numbers: rows of different lengths")
+        raise RunDirectoryError(f"{name}: not a table of numbers: rows of different lengths")
     try:
         return Table({name: np.array([row[i] for row in rows], dtype=str) if name in words
                       else np.array([float(row[i] or "nan") for row in rows], dtype=float)
                       for i, name in enumerate(names)})
     except ValueError as error:
-        raise RunDirectoryError(f"{path}: not a table of numbers: {error}") from error
+        raise RunDirectoryError(f"{name}: not a table of numbers: {error}") from error
 
 
 class RunDirectory:
-    """The results of one run. Files are read when first asked for.
+    """The results of one run, as `percolith.open_run` opens them. Files are read when first asked
+    for; arrays and columns carry their SI units in their names.
 
     Raises RunDirectoryError when `path` is no directory or holds no results.
     """
@@ -129,7 +163,7 @@ class RunDirectory:
         Raises RunDirectoryError in a run of flow."""
         if not self.has_mechanics:
             raise RunDirectoryError(f"{self.path}: a run of flow has no events")
-        return read_table(self._file("events.csv"), words=("mode", "material"))
+        return read_table(self._file("events.csv"), words=EVENT_WORDS)
 
     @cached_property
     def fragments(self) -> Table:
@@ -172,14 +206,17 @@ class RunDirectory:
 
     @property
     def title(self) -> str:
+        """The title of the case, or the name of the folder."""
         return self.resolved.get("title", "") or self.path.name
 
     @property
     def is_steady(self) -> bool:
+        """Whether the run found a steady flow and nothing else."""
         return not self.has_mechanics and self.resolved.get("time", {}).get("scheme") == "steady"
 
     @property
     def probe_names(self) -> list[str]:
+        """Names of the probes, in alphabetical order."""
         return sorted(file.stem for file in (self.path / "probes").glob("*.csv"))
 
     def probe(self, name: str) -> Table:
@@ -203,6 +240,10 @@ class RunDirectory:
         matrix = read_vtu(self._matrix_files[chosen])
         return Frame(chosen, matrix, read_vtu(cracks) if cracks else None)
 
+    def frames(self) -> Iterator[Frame]:
+        """All frames in the order of time, each read when its turn comes."""
+        return (self.frame(time) for time in self.times)
+
     def _file(self, name: str) -> Path:
         path = self.path / name
         if not path.is_file():
@@ -224,3 +265,8 @@ def _series(path: Path) -> dict[float, Path]:
         return {}
     entries = ElementTree.parse(path).getroot().iter("DataSet")
     return {float(entry.get("timestep")): path.parent / entry.get("file") for entry in entries}
+
+
+def open_run(path: str | os.PathLike) -> RunDirectory:
+    """Opens the results of a run. Raises RunDirectoryError where there are none."""
+    return RunDirectory(path)

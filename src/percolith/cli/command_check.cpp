@@ -2,15 +2,15 @@
 #include "percolith/cli/check_text.hpp"
 #include "percolith/cli/commands.hpp"
 #include "percolith/cli/console.hpp"
-#include "percolith/cli/load_model.hpp"
 #include "percolith/core/error.hpp"
+#include "percolith/runner/load_model.hpp"
 
 #include <fmt/format.h>
 
 namespace percolith::cli {
 
 int check(const CheckOptions& options) {
-  const LoadedModel model = load_model(options.case_file, options.overrides);
+  const runner::LoadedModel model = runner::load_model({options.case_file, {}, options.overrides});
   const simulation::CheckReport report = model.simulation.check();
   const simulation::Setup& setup = model.read_case.setup;
   std::string text = fmt::format("Case {}\n", options.case_file.string());

@@ -2,8 +2,8 @@
 #include "percolith/cli/command_line.hpp"
 
 #include "percolith/case/nearest.hpp"
-#include "percolith/cli/version_text.hpp"
 #include "percolith/core/error.hpp"
+#include "percolith/runner/version_text.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -45,7 +45,8 @@ struct Parser {
 
   Parser() {
     app.name("percolith");
-    app.set_version_flag("--version", version_text(), "Print the version and how it was built");
+    app.set_version_flag("--version", runner::version_text(),
+                         "Print the version and how it was built");
     app.require_subcommand(1);
     app.footer(footer);
     add_run();

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/cli/commands.hpp"
+#include "percolith/cli/console.hpp"
 #include "percolith/cli/drive_run.hpp"
-#include "percolith/cli/load_model.hpp"
-#include "percolith/cli/run_recorder.hpp"
 #include "percolith/core/error.hpp"
 #include "percolith/io/run_directory.hpp"
 
-#include <omp.h>
-
 namespace percolith::cli {
-
 namespace {
 
 std::filesystem::path output_folder(const RunOptions& options) {
@@ -23,19 +19,13 @@ std::filesystem::path output_folder(const RunOptions& options) {
 
 int run(const RunOptions& options) {
   Interruption interruption;
-  const auto path = output_folder(options);
-  const io::Existing existing = options.force ? io::Existing::replace : io::Existing::refuse;
-  io::RunDirectory::require_usable(path, existing);
-  if (options.threads) {
-    omp_set_num_threads(*options.threads);
-  }
-  LoadedModel model = load_model(options.case_file, options.overrides);
-
-  const io::RunDirectory directory = io::RunDirectory::open(path, existing);
-  RunRecorder recorder(directory, options, model);
-  return drive_run(interruption, recorder, [&](const std::function<bool()>& stop) {
-    return model.simulation.run(recorder.observer(), stop);
-  });
+  runner::RunRequest request;
+  request.source = {options.case_file, {}, options.overrides};
+  request.output = output_folder(options);
+  request.existing = options.force ? io::Existing::replace : io::Existing::refuse;
+  request.threads = options.threads;
+  request.quiet = options.quiet;
+  return drive_run(interruption, *runner::CaseRun::start(request, program_console()));
 }
 
 }  // namespace percolith::cli

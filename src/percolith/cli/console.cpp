@@ -25,6 +25,13 @@ int write_all(int number, std::string_view text) {
   return 0;
 }
 
+// Columns of the terminal, 80 where unknown.
+int terminal_width() {
+  winsize size{};
+  const bool known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 80;
+}
+
 }  // namespace
 
 void print(std::string_view text) {
@@ -52,14 +59,8 @@ void print_error(std::string_view message) {
   print_line_to_stderr("error: " + std::string(message));
 }
 
-bool stdout_is_terminal() {
-  return ::isatty(STDOUT_FILENO) == 1;
-}
-
-int terminal_width() {
-  winsize size{};
-  const bool known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return known ? size.ws_col : 80;
+runner::Console program_console() {
+  return {print, print_line_to_stderr, ::isatty(STDOUT_FILENO) == 1, terminal_width()};
 }
 
 }  // namespace percolith::cli

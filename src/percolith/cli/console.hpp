@@ -2,6 +2,7 @@
 #pragma once
 
 #include "percolith/core/error.hpp"
+#include "percolith/runner/console.hpp"
 
 #include <string_view>
 
@@ -19,10 +20,7 @@ void print_line_to_stderr(std::string_view text);
 void print_error(const Error& error);
 void print_error(std::string_view message);
 
-/// True where the standard output is a terminal.
-[[nodiscard]] bool stdout_is_terminal();
-
-/// Columns of the terminal, 80 where unknown.
-[[nodiscard]] int terminal_width();
+/// What a run is to speak to: the standard output and the standard error stream.
+[[nodiscard]] runner::Console program_console();
 
 }  // namespace percolith::cli

@@ -3,26 +3,19 @@
 
 #include "percolith/core/error.hpp"
 
-#include <exception>
+#include <csignal>
 
 namespace percolith::cli {
 
-int drive_run(Interruption& interruption, RunRecorder& recorder,
-              const std::function<bool(const std::function<bool()>& stop)>& work) {
+int drive_run(Interruption& interruption, runner::CaseRun& run) {
   interruption.begin();
-  bool finished = false;
-  try {
-    finished = work([&] { return interruption.signal() != 0; });
-  } catch (const std::exception& error) {
-    recorder.fail(error.what());
-    throw;
+  run.begin();
+  const auto reached = run.advance([&] { return interruption.signal() != 0; });
+  if (reached == simulation::Reached::end) {
+    return static_cast<int>(ExitCode::success);
   }
-  if (!finished) {
-    recorder.interrupt(interruption.signal());
-    return 128 + interruption.signal();
-  }
-  recorder.finish();
-  return static_cast<int>(ExitCode::success);
+  run.interrupt(interruption.signal() == SIGINT ? "SIGINT" : "SIGTERM");
+  return 128 + interruption.signal();
 }
 
 }  // namespace percolith::cli

@@ -2,16 +2,12 @@
 #pragma once
 
 #include "percolith/cli/interruption.hpp"
-#include "percolith/cli/run_recorder.hpp"
-
-#include <functional>
+#include "percolith/runner/case_run.hpp"
 
 namespace percolith::cli {
 
-/// Runs `work`, which returns true where it came to its end and stops when the function it is given
-/// returns true, records how it ended and returns the exit code of the program. What `work` throws
-/// passes through once it is recorded.
-[[nodiscard]] int drive_run(Interruption& interruption, RunRecorder& recorder,
-                            const std::function<bool(const std::function<bool()>& stop)>& work);
+/// Takes a run to its end, or to where a signal stops it, and returns the exit code of the program.
+/// What the run throws passes through.
+[[nodiscard]] int drive_run(Interruption& interruption, runner::CaseRun& run);
 
 }  // namespace percolith::cli

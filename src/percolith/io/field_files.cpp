@@ -2,7 +2,6 @@
 #include "percolith/io/field_files.hpp"
 
 #include "percolith/io/field_names.hpp"
-#include "percolith/io/vtu.hpp"
 
 namespace percolith::io {
 namespace {
@@ -55,9 +54,9 @@ void add_fields(std::vector<DataArray>& arrays, const std::vector<simulation::Fr
 
 }  // namespace
 
-void write_matrix(const std::filesystem::path& path, double time,
-                  const simulation::MatrixFrame& matrix) {
-  const std::vector<std::int32_t> connectivity = flat(matrix.triangles);
+UnstructuredGrid matrix_grid(double time, const simulation::MatrixFrame& matrix,
+                             std::vector<std::int32_t>& connectivity) {
+  connectivity = flat(matrix.triangles);
   UnstructuredGrid grid;
   grid.time = time;
   grid.shape = CellShape::triangle;
@@ -70,12 +69,12 @@ void write_matrix(const std::filesystem::path& path, double time,
   }
   grid.cell_data.push_back(whole(names::region, matrix.region));
   add_fields(grid.cell_data, matrix.cell_fields);
-  write_vtu(path, grid);
+  return grid;
 }
 
-void write_cracks(const std::filesystem::path& path, double time,
-                  const simulation::CrackFrame& cracks) {
-  const std::vector<std::int32_t> connectivity = flat(cracks.segments);
+UnstructuredGrid crack_grid(double time, const simulation::CrackFrame& cracks,
+                            std::vector<std::int32_t>& connectivity) {
+  connectivity = flat(cracks.segments);
   UnstructuredGrid grid;
   grid.time = time;
   grid.shape = CellShape::line;
@@ -86,7 +85,19 @@ void write_cracks(const std::filesystem::path& path, double time,
   add_if_any(grid.cell_data, names::crack_flux, cracks.flux);
   grid.cell_data.push_back(whole(names::fracture, cracks.group));
   add_fields(grid.cell_data, cracks.cell_fields);
-  write_vtu(path, grid);
+  return grid;
+}
+
+void write_matrix(const std::filesystem::path& path, double time,
+                  const simulation::MatrixFrame& matrix) {
+  std::vector<std::int32_t> connectivity;
+  write_vtu(path, matrix_grid(time, matrix, connectivity));
+}
+
+void write_cracks(const std::filesystem::path& path, double time,
+                  const simulation::CrackFrame& cracks) {
+  std::vector<std::int32_t> connectivity;
+  write_vtu(path, crack_grid(time, cracks, connectivity));
 }
 
 }  // namespace percolith::io

@@ -119,8 +119,23 @@ public:
   [[nodiscard]] CheckReport check() const override;
   [[nodiscard]] Summary summary() const override;
 
+  [[nodiscard]] Frame frame() const override {
+    return {time(), run_.summary.steps, coupled_matrix_frame(run_, water_),
+            coupled_crack_frame(run_, water_)};
+  }
+  [[nodiscard]] std::vector<ProbeSample> probes() const override {
+    return read_coupled_probes(run_, water_);
+  }
+  /// The scheme of a quasi-static run starts each step from what it found in the one before.
+  [[nodiscard]] FluidAccess fluid() override {
+    return is_slow_ && run_.summary.steps > 0
+               ? FluidAccess{}
+               : FluidAccess{&water_.model, &water_.in_place_at_start};
+  }
+  [[nodiscard]] const seepage::Model* flow() const override { return &water_.model; }
+
 protected:
-  mechanics::Changes advance(double dt) override {
+  mechanics::Changes move(double dt) override {
     mechanics::Changes changes = scheme_->advance(dt, run_.execution);
     if (gave_up()) {
       return changes;
@@ -155,13 +170,6 @@ protected:
   void set_time(double t) override {
     SolidTask::set_time(t);
     water_.model.state.time = t;
-  }
-  [[nodiscard]] Frame frame() const override {
-    return {time(), run_.summary.steps, coupled_matrix_frame(run_, water_),
-            coupled_crack_frame(run_, water_)};
-  }
-  [[nodiscard]] std::vector<ProbeSample> probes() const override {
-    return read_coupled_probes(run_, water_);
   }
   HistoryRow history_row(double step_size) override {
     run_.summary.throughput = water_.model.rate_in;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/seepage/steady_flow.hpp"
+#include "percolith/simulation/balance.hpp"
 #include "percolith/simulation/build_model.hpp"
 #include "percolith/simulation/check_report.hpp"
-#include "percolith/simulation/event_clock.hpp"
 #include "percolith/simulation/run.hpp"
 #include "percolith/simulation/task.hpp"
 
 #include <omp.h>
 
+#include <optional>
 #include <utility>
 
 namespace percolith::simulation {
@@ -43,17 +44,58 @@ public:
     return make_check_report(setup_, run_.model, run_.summary.warnings);
   }
 
-  bool run(Observer& observer, const std::function<bool()>& stop) override {
+  void begin(Observer& observer) override {
     for (const std::string& warning : run_.summary.warnings) {
       observer.on_warning(warning);
     }
-    return advance(nullptr, observer, stop);
+    if (TransientRun* transient = choose_scheme()) {
+      transient->begin(observer);
+    }
   }
 
-  bool resume(StateArchive& state, Observer& observer, const std::function<bool()>& stop) override {
-    return advance(&state, observer, stop);
+  void begin_from(StateArchive& state, Observer& observer) override {
+    if (TransientRun* transient = choose_scheme()) {
+      transient->begin_from(state, observer);
+    }
   }
 
+  Reached advance(Observer& observer, const std::function<bool()>& stop,
+                  const Pause& pause) override {
+    if (transient_) {
+      return transient_->advance(observer, stop, pause);
+    }
+    if (run_.summary.steps == 0) {
+      run_steady(setup_, run_, observer);
+    }
+    return Reached::end;
+  }
+
+  void leave(Observer& observer) override {
+    if (transient_) {
+      transient_->leave(observer);
+    }
+  }
+
+  [[nodiscard]] Frame frame() const override {
+    return {time(), steps(), matrix_frame(run_.model, setup_.model.head_datum),
+            crack_frame(run_.model, setup_.model.head_datum)};
+  }
+  [[nodiscard]] std::vector<ProbeSample> probes() const override {
+    return run_.probes.read(run_.model);
+  }
+  [[nodiscard]] HistoryRow look() override {
+    if (setup_.time.scheme == Scheme::steady && run_.summary.steps > 0) {
+      return run_.summary.last;
+    }
+    HistoryRow row =
+        history_row(run_.model, mass_balance(run_.model, run_.in_place_at_start, run_.execution));
+    row.step = run_.summary.steps;
+    return row;
+  }
+  [[nodiscard]] double time() const override { return run_.model.state.time; }
+  [[nodiscard]] std::int64_t steps() const override { return run_.summary.steps; }
+  [[nodiscard]] FluidAccess fluid() override { return {&run_.model, &run_.in_place_at_start}; }
+  [[nodiscard]] const seepage::Model* flow() const override { return &run_.model; }
   [[nodiscard]] Summary summary() const override { return finished_summary(run_); }
   [[nodiscard]] const std::vector<std::string>& region_names() const override {
     return run_.model.mesh.region_names;
@@ -63,25 +105,24 @@ public:
   }
 
 private:
-  bool advance(StateArchive* from, Observer& observer, const std::function<bool()>& stop) {
+  /// Null in a steady run.
+  TransientRun* choose_scheme() {
     switch (setup_.time.scheme) {
     case Scheme::steady:
-      run_steady(setup_, run_, observer);
-      break;
+      return nullptr;
     case Scheme::implicit:
-      run_implicit(setup_, run_, observer, stop, from);
-      break;
+      return &transient_.emplace(setup_, run_, implicit_scheme(setup_, run_));
     case Scheme::quasi_static:
     case Scheme::explicit_:
-      run_explicit(setup_, run_, observer, stop, from);
       break;
     }
-    return setup_.time.scheme == Scheme::steady || run_.model.state.time >= setup_.time.end;
+    return &transient_.emplace(setup_, run_, explicit_scheme(setup_, run_));
   }
 
   Setup setup_;
   RunState run_;
   std::vector<std::string> fracture_names_;
+  std::optional<TransientRun> transient_;  // once it has begun
 };
 
 }  // namespace

@@ -3,11 +3,15 @@
 
 #include "percolith/core/execution.hpp"
 #include "percolith/seepage/model.hpp"
+#include "percolith/simulation/checkpoints.hpp"
+#include "percolith/simulation/event_clock.hpp"
 #include "percolith/simulation/frames.hpp"
+#include "percolith/simulation/pause.hpp"
 #include "percolith/simulation/report.hpp"
 #include "percolith/simulation/setup.hpp"
 
 #include <functional>
+#include <optional>
 #include <string_view>
 
 namespace percolith::simulation {
@@ -43,20 +47,38 @@ struct TransientScheme {
   std::function<void(StateArchive&)> state{};
 };
 
-/// The loop over steps, outputs and history that all transient runs share. `from`: the state to go
-/// on from; null: that of time zero.
-void run_transient(const Setup& setup, RunState& run, Observer& observer,
-                   const std::function<bool()>& stop, const TransientScheme& scheme,
-                   StateArchive* from);
+/// The loop over steps, outputs and history that all transient runs share.
+class TransientRun {
+public:
+  /// `setup` and `run` must outlive it.
+  TransientRun(const Setup& setup, RunState& run, TransientScheme scheme);
+  /// As the members of `Simulation` of these names.
+  void begin(Observer& observer);
+  void begin_from(StateArchive& state, Observer& observer);
+  Reached advance(Observer& observer, const std::function<bool()>& stop, const Pause& pause);
+  void leave(Observer& observer);
+
+private:
+  void describe_state(StateArchive& archive);
+  [[nodiscard]] StepMade make_step(double event);
+  void report_step(Observer& observer);
+
+  const Setup& setup_;
+  RunState& run_;
+  TransientScheme scheme_;
+  EventClock clock_;
+  HistoryClock history_;
+  std::optional<Checkpoints> checkpoints_;
+  StepEnd last_;
+  double size_ = 0.0;  // s, of the last step
+};
 
 /// One steady solution, reported as one frame.
 void run_steady(const Setup& setup, RunState& run, Observer& observer);
-/// Backward Euler with fixed or error-controlled steps; `from` as for `run_transient`.
-void run_implicit(const Setup& setup, RunState& run, Observer& observer,
-                  const std::function<bool()>& stop, StateArchive* from);
-/// Explicit steps below the stability limit; `from` as for `run_transient`.
-void run_explicit(const Setup& setup, RunState& run, Observer& observer,
-                  const std::function<bool()>& stop, StateArchive* from);
+/// Backward Euler with fixed or error-controlled steps. `setup` and `run` must outlive the scheme.
+[[nodiscard]] TransientScheme implicit_scheme(const Setup& setup, RunState& run);
+/// Explicit steps below the stability limit; likewise.
+[[nodiscard]] TransientScheme explicit_scheme(const Setup& setup, RunState& run);
 
 /// The summary with the totals of the present state.
 [[nodiscard]] Summary finished_summary(const RunState& run);

@@ -5,6 +5,7 @@
 #include "percolith/time/step_control.hpp"
 
 #include <algorithm>
+#include <memory>
 
 namespace percolith::simulation {
 namespace {
@@ -34,17 +35,15 @@ Limit explicit_limit(const Setup& setup, const seepage::Model& model) {
 
 }  // namespace
 
-void run_explicit(const Setup& setup, RunState& run, Observer& observer,
-                  const std::function<bool()>& stop, StateArchive* from) {
-  seepage::ExplicitStep scheme(run.model);
+TransientScheme explicit_scheme(const Setup& setup, RunState& run) {
+  const auto scheme = std::make_shared<seepage::ExplicitStep>(run.model);
   const Limit limit = explicit_limit(setup, run.model);
-  const auto make_step = [&](double event) -> StepMade {
+  const auto make_step = [&run, scheme, limit](double event) -> StepMade {
     const double dt = step_towards(run.model.state.time, event, limit.step);
-    scheme.advance(run.model, dt, run.execution);
+    scheme->advance(run.model, dt, run.execution);
     return {dt, limit.step, 0, limit.ruled_by};
   };
-  run_transient(setup, run, observer, stop,
-                {make_step, setup.time.end / 1000.0, steps_between_checks}, from);
+  return {make_step, setup.time.end / 1000.0, steps_between_checks};
 }
 
 }  // namespace percolith::simulation

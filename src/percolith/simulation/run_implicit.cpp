@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <memory>
 
 namespace percolith::simulation {
 namespace {
@@ -69,19 +70,18 @@ StepMade make_step(RunState& run, seepage::ImplicitFlow& flow, StepControl& cont
 
 }  // namespace
 
-void run_implicit(const Setup& setup, RunState& run, Observer& observer,
-                  const std::function<bool()>& stop, StateArchive* from) {
-  seepage::ImplicitFlow flow(run.model);
-  StepControl control = make_control(setup, flow);
+TransientScheme implicit_scheme(const Setup& setup, RunState& run) {
+  const auto flow = std::make_shared<seepage::ImplicitFlow>(run.model);
+  const auto control = std::make_shared<StepControl>(make_control(setup, *flow));
   const char* limited_by = setup.time.step ? "given step" : "tolerance";
-  TransientScheme scheme{[&](double event) {
-    return make_step(run, flow, control, event, setup.time.end, limited_by);
+  TransientScheme scheme{[&run, flow, control, end = setup.time.end, limited_by](double event) {
+    return make_step(run, *flow, *control, event, end, limited_by);
   }};
-  scheme.state = [&](StateArchive& archive) {
-    archive("flow", flow);
-    archive("control", control);
+  scheme.state = [flow, control](StateArchive& archive) {
+    archive("flow", *flow);
+    archive("control", *control);
   };
-  run_transient(setup, run, observer, stop, scheme, from);
+  return scheme;
 }
 
 }  // namespace percolith::simulation

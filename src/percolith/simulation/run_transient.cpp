@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "percolith/simulation/checkpoints.hpp"
-#include "percolith/simulation/event_clock.hpp"
 #include "percolith/simulation/run.hpp"
 #include "percolith/simulation/state.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace percolith::simulation {
 namespace {
@@ -19,53 +18,85 @@ const char* reason(const StepMade& step, double event, double output) {
 
 }  // namespace
 
-void run_transient(const Setup& setup, RunState& run, Observer& observer,
-                   const std::function<bool()>& stop, const TransientScheme& scheme,
-                   StateArchive* from) {
-  const double end = setup.time.end;
-  const EventClock clock(setup.output, end);
-  HistoryClock history(setup.output.history_interval.value_or(scheme.history_interval));
-  const auto state = [&](StateArchive& archive) {
-    archive("run", run);
-    archive("history", history);
-    if (scheme.state) {
-      scheme.state(archive);
-    }
-  };
-  if (from != nullptr) {
-    state(*from);
-    observer.on_resume(run.model.state.time, run.summary.steps);
-  } else {
-    report_frame(setup, run, observer);
-    if (history.due(0.0)) {
-      report_history(run, 0.0, observer);
-    }
+TransientRun::TransientRun(const Setup& setup, RunState& run, TransientScheme scheme)
+    : setup_(setup), run_(run), scheme_(std::move(scheme)), clock_(setup.output, setup.time.end),
+      history_(setup.output.history_interval.value_or(scheme_.history_interval)) {}
+
+void TransientRun::describe_state(StateArchive& archive) {
+  archive("run", run_);
+  archive("history", history_);
+  if (scheme_.state) {
+    scheme_.state(archive);
   }
-  Checkpoints checkpoints(setup.output, run.model.state.time, state);
+}
+
+void TransientRun::begin(Observer& observer) {
+  report_frame(setup_, run_, observer);
+  if (history_.due(0.0)) {
+    report_history(run_, 0.0, observer);
+  }
+  last_ = {.time = 0.0, .row = true, .frame = true};
+  checkpoints_.emplace(setup_.output, 0.0,
+                       [this](StateArchive& archive) { describe_state(archive); });
+}
+
+void TransientRun::begin_from(StateArchive& state, Observer& observer) {
+  describe_state(state);
+  observer.on_resume(run_.model.state.time, run_.summary.steps);
+  last_ = {.time = run_.model.state.time, .number = run_.summary.steps, .row = true, .frame = true};
+  checkpoints_.emplace(setup_.output, last_.time,
+                       [this](StateArchive& archive) { describe_state(archive); });
+}
+
+StepMade TransientRun::make_step(double event) {
+  const double now = run_.model.state.time;
+  const StepMade step = scheme_.make_step(event);
+  if (step.size >= event - now) {
+    run_.model.state.time = event;
+  }
+  ++run_.summary.steps;
+  size_ = step.size;
+  return step;
+}
+
+void TransientRun::report_step(Observer& observer) {
+  checkpoints_->report_step(
+      last_, [&] { report_history(run_, size_, observer); },
+      [&] { report_frame(setup_, run_, observer); }, observer, run_.execution);
+}
+
+Reached TransientRun::advance(Observer& observer, const std::function<bool()>& stop,
+                              const Pause& pause) {
+  const double end = setup_.time.end;
+  const PauseClock wait(pause, run_.summary.steps);
   bool stopped = false;
-  while (run.model.state.time < end && !stopped) {
-    const double now = run.model.state.time;
-    const double output = clock.next_output(now);
-    const double event = std::min(output, run.model.conditions.next_break(now));
-    const StepMade step = scheme.make_step(event);
-    if (step.size >= event - now) {
-      run.model.state.time = event;
-    }
-    ++run.summary.steps;
+  while (run_.model.state.time < end && !stopped &&
+         !wait.over(run_.model.state.time, run_.summary.steps, last_.frame)) {
+    const double now = run_.model.state.time;
+    const double output = clock_.next_output(now);
+    const double event = std::min(output, run_.model.conditions.next_break(now));
+    const StepMade step = make_step(event);
     stopped = stop();
-    const bool at_output = clock.reaches(run.model.state.time, output);
-    if (at_output || stopped || run.summary.steps % scheme.steps_between_checks == 0) {
-      require_valid(run);
+    const double t = run_.model.state.time;
+    const bool at_output = clock_.reaches(t, output);
+    if (at_output || stopped || run_.summary.steps % scheme_.steps_between_checks == 0) {
+      require_valid(run_);
     }
-    const double t = run.model.state.time;
-    const StepEnd made{t,         run.summary.steps, history.due(t) || at_output,
-                       at_output, t >= end,          stopped};
-    checkpoints.report_step(
-        made, [&] { report_history(run, step.size, observer); },
-        [&] { report_frame(setup, run, observer); }, observer, run.execution);
+    last_ = {t, run_.summary.steps, history_.due(t) || at_output, at_output, t >= end, stopped};
+    report_step(observer);
     observer.on_progress(
-        {t, end, step.size, run.summary.steps, step.iterations, reason(step, event, output)});
+        {t, end, step.size, run_.summary.steps, step.iterations, reason(step, event, output)});
   }
+  if (run_.model.state.time >= end) {
+    return Reached::end;
+  }
+  return stopped ? Reached::stop : Reached::pause;
+}
+
+void TransientRun::leave(Observer& observer) {
+  checkpoints_->report_stop(
+      last_, [&] { report_history(run_, size_, observer); },
+      [&] { report_frame(setup_, run_, observer); }, observer, run_.execution);
 }
 
 }  // namespace percolith::simulation

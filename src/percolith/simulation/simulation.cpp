@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/simulation/simulation.hpp"
 
+#include "percolith/core/error.hpp"
+#include "percolith/simulation/set_pressure.hpp"
 #include "percolith/simulation/task.hpp"
 
 namespace percolith::simulation {
 namespace {
 
-std::unique_ptr<Task> make_task(const Setup& setup, const mesh::GmshMesh& mesh) {
+std::unique_ptr<Task> make_task(const Setup& setup, const mesh::GmshMesh& mesh,
+                                const StartingMotion& start) {
+  if (!start.empty() && setup.model.physics != Physics::mechanics) {
+    throw InputError({{},
+                      "model.physics",
+                      "",
+                      "displacements and velocities are given to a rock with flow",
+                      "those of a rock with \"mechanics\" alone"});
+  }
   switch (setup.model.physics) {
   case Physics::mechanics:
-    return make_solid_task(setup, mesh);
+    return make_solid_task(setup, mesh, start);
   case Physics::coupled:
     return make_coupled_task(setup, mesh);
   case Physics::seepage:
@@ -20,8 +30,8 @@ std::unique_ptr<Task> make_task(const Setup& setup, const mesh::GmshMesh& mesh) 
 
 }  // namespace
 
-Simulation::Simulation(const Setup& setup, const mesh::GmshMesh& mesh)
-    : task_(make_task(setup, mesh)) {}
+Simulation::Simulation(const Setup& setup, const mesh::GmshMesh& mesh, const StartingMotion& start)
+    : task_(make_task(setup, mesh, start)) {}
 
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -31,13 +41,68 @@ CheckReport Simulation::check() const {
   return task_->check();
 }
 
+void Simulation::begin(Observer& observer) {
+  task_->begin(observer);
+}
+
+void Simulation::begin_from(StateArchive& state, Observer& observer) {
+  task_->begin_from(state, observer);
+}
+
+Reached Simulation::advance(Observer& observer, const std::function<bool()>& stop,
+                            const Pause& pause) {
+  return task_->advance(observer, stop, pause);
+}
+
+void Simulation::leave(Observer& observer) {
+  task_->leave(observer);
+}
+
 bool Simulation::run(Observer& observer, const std::function<bool()>& stop) {
-  return task_->run(observer, stop);
+  begin(observer);
+  return advance(observer, stop) == Reached::end;
 }
 
 bool Simulation::resume(StateArchive& state, Observer& observer,
                         const std::function<bool()>& stop) {
-  return task_->resume(state, observer, stop);
+  begin_from(state, observer);
+  return advance(observer, stop) == Reached::end;
+}
+
+Frame Simulation::frame() const {
+  return task_->frame();
+}
+
+std::vector<ProbeSample> Simulation::probes() const {
+  return task_->probes();
+}
+
+HistoryRow Simulation::look() {
+  return task_->look();
+}
+
+double Simulation::time() const {
+  return task_->time();
+}
+
+std::int64_t Simulation::steps() const {
+  return task_->steps();
+}
+
+const seepage::Model* Simulation::flow() const {
+  return task_->flow();
+}
+
+const mechanics::Model* Simulation::motion() const {
+  return task_->motion();
+}
+
+void Simulation::set_pore_pressure(std::span<const double> pressure) {
+  simulation::set_pore_pressure(task_->fluid(), pressure);
+}
+
+void Simulation::set_crack_pressure(std::span<const double> pressure) {
+  simulation::set_crack_pressure(task_->fluid(), pressure);
 }
 
 Summary Simulation::summary() const {

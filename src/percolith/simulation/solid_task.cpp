@@ -97,7 +97,7 @@ SolidRun make_solid_run(const Setup& setup, SolidStart start) {
 }
 
 SolidTask::SolidTask(const Setup& setup, SolidRun run)
-    : run_(std::move(run)),
+    : run_(std::move(run)), clock_(setup.output, setup.time.end),
       history_(setup.output.history_interval.value_or(setup.time.end / 1000.0)) {
   step_ = solid_step(run_);
   for (const auto& [name, excavation] : setup.excavation) {
@@ -150,7 +150,7 @@ double SolidTask::make_step(double event, Observer& observer) {
   const double way = event - time();
   const double steps = std::max(1.0, std::ceil(way / longest_step() * (1.0 - 1e-9)));
   const double dt = way / steps;
-  mechanics::Changes changes = advance(dt);
+  mechanics::Changes changes = move(dt);
   if (gave_up()) {
     return 0.0;
   }
@@ -220,7 +220,14 @@ void SolidTask::describe_state(StateArchive& archive) {
   }
 }
 
-bool SolidTask::run(Observer& observer, const std::function<bool()>& stop) {
+void SolidTask::start_checkpoints() {
+  // What there is to tell of the start was told.
+  last_ = {.time = time(), .number = run_.summary.steps, .row = true, .frame = true};
+  checkpoints_.emplace(run_.setup.output, time(),
+                       [this](StateArchive& archive) { describe_state(archive); });
+}
+
+void SolidTask::begin(Observer& observer) {
   for (const std::string& warning : run_.summary.warnings) {
     observer.on_warning(warning);
   }
@@ -228,56 +235,78 @@ bool SolidTask::run(Observer& observer, const std::function<bool()>& stop) {
   report_history(0.0, observer);
   static_cast<void>(history_.due(0.0));
   report_frame(observer);
-  return go_on(observer, stop);
+  start_checkpoints();
 }
 
-bool SolidTask::resume(StateArchive& state, Observer& observer, const std::function<bool()>& stop) {
+void SolidTask::begin_from(StateArchive& state, Observer& observer) {
   describe_state(state);
   observer.on_resume(time(), run_.summary.steps);
-  return go_on(observer, stop);
+  start_checkpoints();
 }
 
-bool SolidTask::go_on(Observer& observer, const std::function<bool()>& stop) {
-  const double end = run_.setup.time.end;
-  const EventClock clock(run_.setup.output, end);
-  Checkpoints checkpoints(run_.setup.output, time(),
-                          [this](StateArchive& archive) { describe_state(archive); });
-  double dt = 0.0;
-  const auto row = [&] { report_history(dt, observer); };
+void SolidTask::make_and_report_step(Observer& observer, const std::function<bool()>& stop) {
+  const auto row = [&] { report_history(size_, observer); };
   const auto frame = [&] { report_frame(observer); };
+  dig();
+  const double output = clock_.next_output(time());
+  const double made = make_step(next_event(output), observer);
+  if (gave_up()) {
+    checkpoints_->report_stop(last_, row, frame, observer, run_.execution);
+    last_.stopped = true;
+    return;
+  }
+  size_ = made;
+  last_ = end_step(output, stop());
+  checkpoints_->report_step(last_, row, frame, observer, run_.execution);
+  observer.on_progress({time(), run_.setup.time.end, size_, run_.summary.steps, iterations(),
+                        limited_by(), run_.broken.count});
+}
+
+Reached SolidTask::advance(Observer& observer, const std::function<bool()>& stop,
+                           const Pause& pause) {
+  const PauseClock wait(pause, run_.summary.steps);
   double begun = time();
   // Within a long step nothing has happened yet but its iterations.
   listen([&] {
-    observer.on_progress({begun, end, dt, run_.summary.steps, iterations(), "fluid and rock settle",
-                          run_.broken.count});
+    observer.on_progress({begun, run_.setup.time.end, size_, run_.summary.steps, iterations(),
+                          "fluid and rock settle", run_.broken.count});
     return stop();
   });
-  // What there is to tell of the start was told.
-  StepEnd step{.time = time(), .number = run_.summary.steps, .row = true, .frame = true};
-  while (time() < end && !step.stopped && !run_.summary.reached_rest) {
-    dig();
+  last_.stopped = false;
+  while (!is_over() && !last_.stopped && !wait.over(time(), run_.summary.steps, last_.frame)) {
     begun = time();
-    const double output = clock.next_output(begun);
-    const double made = make_step(next_event(output), observer);
-    if (gave_up()) {
-      checkpoints.report_stop(step, row, frame, observer, run_.execution);
-      break;
-    }
-    dt = made;
-    step = end_step(clock, output, stop());
-    checkpoints.report_step(step, row, frame, observer, run_.execution);
-    observer.on_progress(
-        {time(), end, dt, run_.summary.steps, iterations(), limited_by(), run_.broken.count});
+    make_and_report_step(observer, stop);
   }
   listen({});
+  if (!is_over() && !last_.stopped) {
+    return Reached::pause;
+  }
   warn_of_energy(observer);
-  return time() >= end || run_.summary.reached_rest;
+  return is_over() ? Reached::end : Reached::stop;
 }
 
-StepEnd SolidTask::end_step(const EventClock& clock, double output, bool stopped) {
+void SolidTask::leave(Observer& observer) {
+  checkpoints_->report_stop(
+      last_, [&] { report_history(size_, observer); }, [&] { report_frame(observer); }, observer,
+      run_.execution);
+  warn_of_energy(observer);
+}
+
+HistoryRow SolidTask::look() {
+  const std::vector<PeakReaction> peaks = run_.summary.peak_reactions;
+  const double deepest = run_.deepest_overlap;
+  const double throughput = run_.summary.throughput;
+  HistoryRow row = history_row(size_);
+  run_.summary.peak_reactions = peaks;
+  run_.deepest_overlap = deepest;
+  run_.summary.throughput = throughput;
+  return row;
+}
+
+StepEnd SolidTask::end_step(double output, bool stopped) {
   const bool check = run_.summary.steps % steps_between_checks() == 0;
   run_.summary.reached_rest = check && is_at_rest();
-  const bool at_output = clock.reaches(time(), output) || run_.summary.reached_rest;
+  const bool at_output = clock_.reaches(time(), output) || run_.summary.reached_rest;
   if (check || at_output || stopped) {
     require_valid();
   }
@@ -289,9 +318,12 @@ StepEnd SolidTask::end_step(const EventClock& clock, double output, bool stopped
           stopped};
 }
 
-std::unique_ptr<Task> make_solid_task(const Setup& setup, const mesh::GmshMesh& mesh) {
+std::unique_ptr<Task> make_solid_task(const Setup& setup, const mesh::GmshMesh& mesh,
+                                      const StartingMotion& start) {
   require_sensible_intervals(setup);
-  return std::make_unique<SolidTask>(setup, make_solid_run(setup, build_solid(setup, mesh)));
+  SolidStart rock =
+      build_solid(setup, mesh, [&](mechanics::Model& model) { set_motion(model, start); });
+  return std::make_unique<SolidTask>(setup, make_solid_run(setup, std::move(rock)));
 }
 
 }  // namespace percolith::simulation

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,17 @@ public:
   SolidTask(const Setup& setup, SolidRun run);
 
   [[nodiscard]] CheckReport check() const override { return solid_check(run_); }
-  bool run(Observer& observer, const std::function<bool()>& stop) override;
-  bool resume(StateArchive& state, Observer& observer, const std::function<bool()>& stop) override;
+  void begin(Observer& observer) override;
+  void begin_from(StateArchive& state, Observer& observer) override;
+  Reached advance(Observer& observer, const std::function<bool()>& stop,
+                  const Pause& pause) override;
+  void leave(Observer& observer) override;
+  [[nodiscard]] Frame frame() const override;
+  [[nodiscard]] std::vector<ProbeSample> probes() const override { return read_solid_probes(run_); }
+  [[nodiscard]] HistoryRow look() override;
+  [[nodiscard]] double time() const override { return run_.dynamics.model().motion.time; }
+  [[nodiscard]] std::int64_t steps() const override { return run_.summary.steps; }
+  [[nodiscard]] const mechanics::Model* motion() const override { return &run_.dynamics.model(); }
   [[nodiscard]] Summary summary() const override { return solid_summary(run_); }
   [[nodiscard]] const std::vector<std::string>& region_names() const override {
     return run_.dynamics.model().mesh.region_names;
@@ -42,9 +52,7 @@ public:
 
 protected:
   /// One step of `dt` seconds.
-  virtual mechanics::Changes advance(double dt) {
-    return run_.dynamics.advance(dt, run_.execution);
-  }
+  virtual mechanics::Changes move(double dt) { return run_.dynamics.advance(dt, run_.execution); }
   /// A step that takes long may ask `stop` on its way and give up, which leaves all as it was.
   virtual void listen(const std::function<bool()>& /*stop*/) {}
   [[nodiscard]] virtual bool gave_up() const { return false; }
@@ -64,8 +72,6 @@ protected:
   virtual bool has_settled() { return true; }
   /// Puts the clock on `t` (s), from which it differs by round-off.
   virtual void set_time(double t) { run_.dynamics.model().motion.time = t; }
-  [[nodiscard]] virtual Frame frame() const;
-  [[nodiscard]] virtual std::vector<ProbeSample> probes() const { return read_solid_probes(run_); }
   virtual HistoryRow history_row(double step_size) { return solid_history_row(run_, step_size); }
   /// All that later steps, and reports of them, depend on.
   virtual void describe_state(StateArchive& archive);
@@ -73,15 +79,18 @@ protected:
   virtual void require_valid() const;
   [[nodiscard]] virtual std::int64_t iterations() const { return 0; }
 
-  [[nodiscard]] double time() const { return run_.dynamics.model().motion.time; }
   SolidRun run_;
   double step_ = 0.0;              // s, at most
   std::vector<Digging> diggings_;  // that are still to come, by time
 
 private:
   [[nodiscard]] double next_event(double output) const;
-  bool go_on(Observer& observer, const std::function<bool()>& stop);
-  [[nodiscard]] StepEnd end_step(const EventClock& clock, double output, bool stopped);
+  void start_checkpoints();
+  [[nodiscard]] bool is_over() const {
+    return time() >= run_.setup.time.end || run_.summary.reached_rest;
+  }
+  void make_and_report_step(Observer& observer, const std::function<bool()>& stop);
+  [[nodiscard]] StepEnd end_step(double output, bool stopped);
   void dig();
   double make_step(double event, Observer& observer);
   bool is_at_rest();
@@ -91,7 +100,11 @@ private:
 
   double quiet_after_ = 0.0;  // s: no load changes later
   int calm_checks_ = 0;
+  EventClock clock_;
   HistoryClock history_;
+  std::optional<Checkpoints> checkpoints_;
+  StepEnd last_;       // the last step
+  double size_ = 0.0;  // s: of it
 };
 
 /// A rock that is ready to move, `start`, with what reports need of it.

@@ -98,12 +98,33 @@ void expect_same_next_steps(const Setup& setup, const mesh::GmshMesh& mesh, cons
   }
 }
 
+/// A run in parts, looked at in between, comes to the bits and reports of one that was not.
+void expect_same_in_parts(const Setup& setup, const mesh::GmshMesh& mesh, const Keeper& whole,
+                          const Summary& expected) {
+  Simulation simulation(setup, mesh);
+  Keeper parts;
+  simulation.begin(parts);
+  while (simulation.advance(parts, test::never, {.steps = 3}) == Reached::pause) {
+    EXPECT_EQ(simulation.look().time, simulation.time());
+    EXPECT_EQ(simulation.frame().step, simulation.steps());
+  }
+  const Summary summary = simulation.summary();
+  EXPECT_EQ(summary.state_hash, expected.state_hash);
+  EXPECT_EQ(summary.mechanics, expected.mechanics);
+  ASSERT_EQ(parts.history.size(), whole.history.size());
+  for (std::size_t i = 0; i < parts.history.size(); ++i) {
+    EXPECT_EQ(numbers(parts.history[i]), numbers(whole.history[i])) << i;
+  }
+  EXPECT_EQ(parts.frames.size(), whole.frames.size());
+}
+
 /// Goes on from checkpoints of a run, about `count` of them, and compares all that follows.
 void expect_same_from_checkpoints(const Setup& setup, const mesh::GmshMesh& mesh,
                                   std::size_t count) {
   Keeper whole;
   const Summary expected = test::run(setup, mesh, whole);
   ASSERT_GE(whole.kept.size(), count);
+  expect_same_in_parts(setup, mesh, whole, expected);
   expect_same_next_steps(setup, mesh, whole);
   const std::size_t stride = whole.kept.size() / count;
   for (std::size_t k = 0; k < whole.kept.size(); k += stride) {
@@ -396,6 +417,24 @@ void expect_same_when_stopped(const Setup& setup, const std::function<bool()>& s
   EXPECT_EQ(summary.steps, expected.steps);
   EXPECT_EQ(summary.iterations, expected.iterations);
   EXPECT_EQ(stopped.kept.back().rows + rest.history.size(), whole.history.size());
+}
+
+TEST(Checkpoints, ARunThatIsLeftWhereItWaitsGoesOnToTheSameBits) {
+  const simulation::Setup setup = slow_injection(5e6, 1e-8);
+  Keeper whole;
+  const Summary expected = test::run(setup, notched(), whole);
+  Simulation simulation(setup, notched());
+  Keeper left;
+  simulation.begin(left);
+  ASSERT_EQ(simulation.advance(left, test::never, {.steps = 2}), Reached::pause);
+  simulation.leave(left);
+  ASSERT_FALSE(left.kept.empty());
+  Simulation again(setup, notched());
+  Keeper rest;
+  StateReader reader(left.kept.back().bytes, "checkpoint");
+  ASSERT_TRUE(again.resume(reader, rest, test::never));
+  EXPECT_EQ(again.summary().state_hash, expected.state_hash);
+  EXPECT_EQ(left.kept.back().rows + rest.history.size(), whole.history.size());
 }
 
 /// It is asked thousands of times a step.

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/simulation/report.hpp"
+
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/variant.h>
+#include <nanobind/stl/vector.h>
+
+#include "member_docs.hpp"
+#include "modules.hpp"
+
+namespace nb = nanobind;
+
+namespace percolith::python {
+namespace {
+
+using simulation::CheckReport;
+using simulation::StepLimit;
+
+std::pair<double, double> place_of(const Point& point) {
+  return {point.x, point.y};
+}
+
+}  // namespace
+
+void bind_reports(nb::module_& module) {
+  nb::class_<StepLimit>(module, "StepLimit", docs::StepLimit)
+      .def_ro("mechanism", &StepLimit::mechanism, docs::StepLimit_mechanism)
+      .def_ro("step", &StepLimit::step, docs::StepLimit_step)
+      .def_prop_ro(
+          "place", [](const StepLimit& limit) { return place_of(limit.place); },
+          docs::StepLimit_place)
+      .def("__repr__", [](const StepLimit& limit) {
+        return nb::str("StepLimit({!r}, {:g} s)").format(limit.mechanism, limit.step);
+      });
+  nb::class_<CheckReport>(module, "CheckReport", docs::CheckReport)
+      .def_ro("triangles", &CheckReport::triangles, "Number of triangles.")
+      .def_ro("vertices", &CheckReport::vertices, "Number of vertices.")
+      .def_ro("joints", &CheckReport::joints, "Number of joints, the interior edges.")
+      .def_ro("broken_joints", &CheckReport::broken_joints, "Number of those broken now.")
+      .def_ro("boundary_edges", &CheckReport::boundary_edges, "Number of edges of one triangle.")
+      .def_ro("pore_nodes", &CheckReport::pore_nodes, "Number of pore nodes.")
+      .def_ro("crack_nodes", &CheckReport::crack_nodes, "Number of open crack nodes.")
+      .def_ro("unknowns", &CheckReport::unknowns, "Unknowns of an implicit step.")
+      .def_ro("area", &CheckReport::area, docs::CheckReport_area)
+      .def_ro("smallest_edge", &CheckReport::smallest_edge, docs::CheckReport_smallest_edge)
+      .def_ro("largest_edge", &CheckReport::largest_edge, docs::CheckReport_largest_edge)
+      .def_ro("smallest_angle", &CheckReport::smallest_angle, docs::CheckReport_smallest_angle)
+      .def_ro("largest_angle", &CheckReport::largest_angle, docs::CheckReport_largest_angle)
+      .def_prop_ro(
+          "smallest_angle_place",
+          [](const CheckReport& report) { return place_of(report.smallest_angle_place); },
+          docs::CheckReport_smallest_angle_place)
+      .def_ro("fracture_length", &CheckReport::fracture_length, docs::CheckReport_fracture_length)
+      .def_ro("region_area", &CheckReport::region_area, docs::CheckReport_region_area)
+      .def_ro("fracture_length_by_group", &CheckReport::fracture_length_by_group,
+              docs::CheckReport_fracture_length_by_group)
+      .def_ro("limits", &CheckReport::limits, docs::CheckReport_limits)
+      .def_ro("mechanics", &CheckReport::mechanics, docs::CheckReport_mechanics)
+      .def_ro("warnings", &CheckReport::warnings, "Warnings about the model.");
+}
+
+}  // namespace percolith::python

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What can go wrong, with the messages of the command line."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One mistake in a case: `message` as the command line prints it, and its parts. `line` and
+    `column` count from 1; 0 where there is none."""
+
+    message: str
+    file: str
+    line: int
+    column: int
+    key: str
+    value: str
+    reason: str
+    allowed: str
+
+
+class Error(Exception):
+    """Base of every error that Percolith raises."""
+
+
+class CaseError(Error, ValueError):
+    """Something in a case, its mesh or an argument is wrong. `problems` lists all mistakes that
+    were found, the message has a line for each."""
+
+    def __init__(self, message: str, problems: Sequence[Problem] = ()):
+        super().__init__(message)
+        self.problems = tuple(problems)
+
+    def __reduce__(self):
+        return type(self), (str(self), self.problems)
+
+
+class SolverError(Error, RuntimeError):
+    """The computation cannot go on; the results up to the last output are kept."""
+
+
+class FileError(Error, OSError):
+    """A file cannot be read or written."""
+
+
+class MeshError(Error, ValueError):
+    """A geometry cannot be meshed as it was asked for."""
+
+
+class CaseWarning(UserWarning):
+    """What a case or a run warns of, in the words of the command line."""

@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Lines that a mesh can follow: crossings become points, what nearly touches is merged, and lines
+that meet at a small angle run together until they are apart."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from percolith.errors import MeshError
+from percolith.mesh.fractures import Fracture
+from percolith.mesh.outline import Outline
+
+BOUNDARY = -1  # owner of edges of the outline
+_MOST_PASSES = 500
+
+
+@dataclass(frozen=True)
+class Change:
+    """What was done to fractures so that they can be meshed. kind: "points merged", "end moved to
+    a line", "run together" or "left out". fractures: their numbers. place: m. distance: m, by how
+    much something was moved, or over which length two run together or one was left out."""
+
+    kind: str
+    fractures: tuple[int, ...]
+    place: tuple[float, float]
+    distance: float
+
+    def __str__(self) -> str:
+        who = " and ".join(map(str, self.fractures)) or "none"
+        return (f"{self.kind} at ({self.place[0]:.6g}, {self.place[1]:.6g}): fracture {who}, "
+                f"{self.distance:.3g} m")
+
+
+@dataclass(frozen=True)
+class Edge:
+    """A straight piece between two nodes: of the fracture `owner`, or of the side `side`."""
+
+    a: int
+    b: int
+    owner: int
+    side: str = ""
+
+
+class Arrangement:
+    """Nodes and edges without crossings, nodes not closer than `tolerance` (m) to each other or to
+    edges they do not belong to, but for those of the outline among themselves."""
+
+    def __init__(self, outline: Outline, fractures: Sequence[Fracture], tolerance: float,
+                 smallest_angle_deg: float):
+        self.tolerance = tolerance
+        self._angle = math.radians(smallest_angle_deg)
+        self.nodes = np.empty((0, 2))
+        self.fixed = np.empty(0, dtype=bool)
+        self.edges: list[Edge] = []
+        self.changes: list[Change] = []
+        self._outline = outline
+        for loop in [outline, *outline.holes]:
+            self._add_line(np.vstack([loop.corners, loop.corners[:1]]), BOUNDARY, loop.sides)
+        for number, fracture in enumerate(fractures):
+            self._add_line(fracture.points, number)
+        self._settle()
+        self._leave_out_what_is_outside()
+
+    def _add_node(self, place: np.ndarray, fixed: bool) -> int:
+        self.nodes = np.vstack([self.nodes, place])
+        self.fixed = np.append(self.fixed, fixed)
+        return len(self.nodes) - 1
+
+    def _add_line(self, points: np.ndarray, owner: int, sides: Sequence[str] = ()) -> None:
+        is_loop = owner == BOUNDARY
+        numbers = [self._add_node(place, is_loop) for place in points[:-1 if is_loop else None]]
+        if is_loop:
+            numbers.append(numbers[0])
+        for i, (a, b) in enumerate(zip(numbers, numbers[1:])):
+            self.edges.append(Edge(a, b, owner, sides[i] if is_loop else ""))
+
+    def _settle(self) -> None:
+        for _ in range(_MOST_PASSES):
+            if not (self._merge_nodes() or self._split_at_nodes() or self._cross()
+                    or self._part_small_angles()):
+                return
+        raise MeshError("the fractures cannot be brought apart; a smaller tolerance or fewer "
+                        "fractures may help")
+
+    def _note(self, kind: str, owners, place: np.ndarray, distance: float) -> None:
+        numbers = tuple(sorted({owner for owner in owners if owner != BOUNDARY}))
+        self.changes.append(Change(kind, numbers, (float(place[0]), float(place[1])),
+                                   float(distance)))
+
+    def _owners(self, node: int) -> set[int]:
+        return {edge.owner for edge in self.edges if node in (edge.a, edge.b)}
+
+    def _replace(self, edges: list[Edge]) -> None:
+        """Takes over edges; of those between the same nodes that of the outline, or else of the
+        first fracture, stays."""
+        kept: dict[tuple[int, int], Edge] = {}
+        for edge in sorted(edges, key=lambda edge: edge.owner):
+            if edge.a != edge.b:
+                kept.setdefault((min(edge.a, edge.b), max(edge.a, edge.b)), edge)
+        self.edges = list(kept.values())
+
+    def _merge_nodes(self) -> bool:
+        """Brings the closest pair of nodes that are too close together."""
+        used = np.unique([node for edge in self.edges for node in (edge.a, edge.b)])
+        places = self.nodes[used]
+        gap = np.hypot(*(places[:, None] - places[None]).transpose(2, 0, 1))
+        free = ~(self.fixed[used][:, None] & self.fixed[used][None])
+        gap[~free | np.tri(len(used), dtype=bool)] = math.inf
+        closest = np.unravel_index(np.argmin(gap), gap.shape)
+        if not gap[closest] < self.tolerance:
+            return False
+        stays, goes = used[closest[0]], used[closest[1]]
+        if self.fixed[goes]:
+            stays, goes = goes, stays
+        if gap[closest] > 0.0:
+            self._note("points merged", self._owners(stays) | self._owners(goes),
+                       self.nodes[stays], gap[closest])
+        self._replace([Edge(stays if edge.a == goes else edge.a, stays if edge.b == goes else edge.b,
+                            edge.owner, edge.side) for edge in self.edges])
+        return True
+
+    def _split(self, edge: Edge, node: int) -> None:
+        rest = [other for other in self.edges if other is not edge]
+        self._replace([*rest, Edge(edge.a, node, edge.owner, edge.side),
+                       Edge(node, edge.b, edge.owner, edge.side)])
+
+    def _split_at_nodes(self) -> bool:
+        """Splits the edge with the node closest to it, of those that are too close."""
+        used = np.unique([node for edge in self.edges for node in (edge.a, edge.b)])
+        places = self.nodes[used]
+        best: tuple[float, Edge, int, np.ndarray] | None = None
+        for edge in self.edges:
+            start, way = self.nodes[edge.a], self.nodes[edge.b] - self.nodes[edge.a]
+            share = (places - start) @ way / (way @ way)
+            foot = start + share[:, None] * way
+            gap = np.hypot(*(places - foot).T)
+            gap[(share <= 0.0) | (share >= 1.0) | (used == edge.a) | (used == edge.b)] = math.inf
+            if edge.owner == BOUNDARY:
+                gap[self.fixed[used]] = math.inf
+            closest = int(np.argmin(gap))
+            if gap[closest] < min(self.tolerance, best[0] if best else math.inf):
+                best = float(gap[closest]), edge, int(used[closest]), foot[closest]
+        if best is None:
+            return False
+        gap, edge, node, foot = best
+        if gap > 1e-9 * self.tolerance:
+            self._note("end moved to a line", self._owners(node) | {edge.owner}, foot, gap)
+        if edge.owner == BOUNDARY:
+            self.nodes[node] = foot
+            self.fixed[node] = True
+        self._split(edge, node)
+        return True
+
+    def _cross(self) -> bool:
+        """Makes a node where two edges cross."""
+        ends = np.array([[self.nodes[edge.a], self.nodes[edge.b]] for edge in self.edges])
+        start, way = ends[:, 0], ends[:, 1] - ends[:, 0]
+        for i, edge in enumerate(self.edges):
+            apart = start - start[i]
+            across = way[i, 0] * way[:, 1] - way[i, 1] * way[:, 0]
+            with np.errstate(divide="ignore", invalid="ignore"):
+                own = (apart[:, 0] * way[:, 1] - apart[:, 1] * way[:, 0]) / across
+                other = (apart[:, 0] * way[i, 1] - apart[:, 1] * way[i, 0]) / across
+            shared = np.array([bool({edge.a, edge.b} & {e.a, e.b}) for e in self.edges])
+            hits = (across != 0.0) & (own > 0) & (own < 1) & (other > 0) & (other < 1) & ~shared
+            if hits.any():
+                second = self.edges[int(np.argmax(hits))]
+                place = start[i] + own[np.argmax(hits)] * way[i]
+                node = self._add_node(place, BOUNDARY in (edge.owner, second.owner))
+                self._split(edge, node)
+                self._split(second, node)
+                return True
+        return False
+
+    def _part_small_angles(self) -> bool:
+        """Where two edges leave a node at a small angle, lets the second run along the first to
+        where they are as far apart as nodes must be."""
+        leaving: dict[int, list[tuple[float, int, Edge]]] = {}
+        for edge in self.edges:
+            for node, far in ((edge.a, edge.b), (edge.b, edge.a)):
+                way = self.nodes[far] - self.nodes[node]
+                leaving.setdefault(node, []).append((math.atan2(way[1], way[0]), far, edge))
+        for node, around in leaving.items():
+            around.sort(key=lambda one: one[0])
+            for first, second in zip(around, around[1:] + around[:1]):
+                angle = (second[0] - first[0]) % (2.0 * math.pi)
+                if (first[2] is not second[2] and angle < self._angle
+                        and (first[2].owner, second[2].owner) != (BOUNDARY, BOUNDARY)):
+                    keep, move = sorted([first, second], key=lambda one: one[2].owner)
+                    self._run_together(node, keep, move, angle)
+                    return True
+        return False
+
+    def _run_together(self, node: int, keep, move, angle: float) -> None:
+        # A little more than the tolerance, so that both ends of the step between them stay.
+        way = 1.2 * self.tolerance / (2.0 * math.sin(0.5 * angle))
+        self._note("run together", {keep[2].owner, move[2].owner}, self.nodes[node], way)
+        on_keep = self._node_along(node, keep, way)
+        rest = [edge for edge in self.edges if edge is not move[2]]
+        on_move = move[1]
+        if way < self._distance(node, move[1]) - self.tolerance:
+            on_move = self._node_along(node, move, way, split=False)
+            rest.append(Edge(on_move, move[1], move[2].owner, move[2].side))
+        self._replace([*[edge for edge in rest if edge in self.edges or edge.a == on_move],
+                       Edge(on_keep, on_move, move[2].owner, move[2].side)])
+
+    def _distance(self, a: int, b: int) -> float:
+        return float(np.hypot(*(self.nodes[a] - self.nodes[b])))
+
+    def length(self, edge: Edge) -> float:
+        """m"""
+        return self._distance(edge.a, edge.b)
+
+    def _node_along(self, node: int, leaving, way: float, split: bool = True) -> int:
+        """The node `way` (m) from `node` along an edge; its far end where that is not beyond."""
+        _, far, edge = leaving
+        length = self._distance(node, far)
+        if way >= length - self.tolerance and split:
+            return far
+        place = self.nodes[node] + way / length * (self.nodes[far] - self.nodes[node])
+        new = self._add_node(place, edge.owner == BOUNDARY)
+        if split:
+            self._split(edge, new)
+        return new
+
+    def _leave_out_what_is_outside(self) -> None:
+        middles = np.array([0.5 * (self.nodes[edge.a] + self.nodes[edge.b]) for edge in self.edges])
+        inside = self._outline.contains(middles)
+        kept = []
+        for edge, middle, is_inside in zip(self.edges, middles, inside):
+            if edge.owner == BOUNDARY or is_inside:
+                kept.append(edge)
+            else:
+                self._note("left out", {edge.owner}, middle, self._distance(edge.a, edge.b))
+        self.edges = kept
+
+
+def arrange(outline: Outline, fractures: Sequence[Fracture], tolerance: float,
+            smallest_angle_deg: float = 20.0) -> Arrangement:
+    """Outline and fractures as nodes and edges that a mesh can follow; see `Arrangement`. Raises
+    MeshError."""
+    return Arrangement(outline, fractures, tolerance, smallest_angle_deg)

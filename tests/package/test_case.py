@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Options of a case: read, set, taken out, checked, written."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import percolith
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+STRIP = ROOT / "examples/strip/case.toml"
+
+
+def test_options_are_read_by_dotted_path_and_by_table(strip):
+    assert strip["time.scheme"] == "implicit"
+    assert strip["time"]["end"] == "0.02 s"
+    assert "time.end" in strip and "time.nothing" not in strip
+    assert set(strip["time"]) == {"scheme", "step", "end"}
+    assert strip["output.times"] == (0.005, 0.01)
+
+
+def test_what_is_set_is_what_the_simulator_reads(strip):
+    strip["time.end"] = "30 ms"
+    strip["probe"]["middle"] = {"point": np.array([0.5, 0.01])}
+    strip["output.times"] = np.linspace(0.01, 0.02, 2)
+    resolved = strip.resolved()
+    assert resolved["time"]["end"] == pytest.approx(0.03)
+    assert resolved["probe"]["middle"]["point"] == [0.5, 0.01]
+    assert resolved["output"]["times"] == [0.01, 0.02]
+
+
+def test_what_is_taken_out_is_gone(strip):
+    del strip["output.times"]
+    assert not strip.resolved()["output"].get("times")
+    with pytest.raises(KeyError):
+        del strip["output.times"]
+
+
+def test_numbers_keep_their_bits(strip):
+    value = math.nextafter(0.02, 1)
+    strip["time.end"] = value
+    assert strip.resolved()["time"]["end"] == value
+
+
+def test_a_table_set_later_replaces_what_stood_in_it(strip):
+    strip["time.tolerance"] = 1e-3
+    strip["time"] = {"scheme": "implicit", "end": 1.0}
+    assert "tolerance" not in strip["time"]
+    strip["time.end"] = 2.0
+    assert strip.resolved()["time"]["end"] == 2.0
+
+
+def test_a_copy_is_a_case_of_its_own(strip):
+    other = strip.copy()
+    other["time.end"] = 1.0
+    assert strip["time.end"] == "0.02 s"
+
+
+@pytest.mark.parametrize("value", [None, object(), {1: 2}, 1j])
+def test_a_value_that_is_none_is_refused_at_once(strip, value):
+    with pytest.raises(percolith.CaseError, match="error: "):
+        strip["time.end"] = value
+
+
+def test_a_case_of_python_values_alone(strip, tmp_path):
+    options = {**strip.to_dict(), "mesh": {"file": STRIP.parent / strip["mesh.file"]}}
+    case = percolith.Case(options, directory=tmp_path)
+    with case.simulation() as one, strip.simulation() as other:
+        one.run()
+        other.run()
+        assert one.state_hash == other.state_hash
+
+
+def test_mistakes_have_the_messages_of_the_command_line(program, tmp_path):
+    file = tmp_path / "case.toml"
+    file.write_text(STRIP.read_text().replace("[time]", "[time]\ntolerence = 1"))
+    with pytest.raises(percolith.CaseError) as caught:
+        percolith.Case.load(file).validate()
+    told = program("check", file).stderr.strip()
+    assert str(caught.value) == told
+    problem = caught.value.problems[0]
+    line = 1 + next(n for n, text in enumerate(file.read_text().splitlines()) if "tolerence" in text)
+    assert (problem.file, problem.line, problem.key) == (str(file), line, "time.tolerence")
+    assert problem.message == told.splitlines()[0]
+
+
+def test_a_value_that_was_set_is_refused_as_with_set(strip, program):
+    strip["time.end"] = "3 MPa"
+    with pytest.raises(percolith.CaseError) as caught:
+        strip.validate()
+    told = program("check", STRIP, "--set", "time.end=3 MPa").stderr
+    assert str(caught.value) in told
+    assert caught.value.problems[0].allowed.startswith("a number in s")
+
+
+def test_a_file_that_is_not_toml(program, tmp_path):
+    file = tmp_path / "case.toml"
+    file.write_text("format = 1\n[time\n")
+    with pytest.raises(percolith.CaseError) as caught:
+        percolith.Case.load(file)
+    assert str(caught.value) == program("check", file).stderr.strip()
+
+
+def test_a_file_that_is_not_there(program, tmp_path):
+    file = tmp_path / "nothing.toml"
+    with pytest.raises(percolith.FileError) as caught:
+        percolith.Case.load(file)
+    assert "error: " + str(caught.value) == program("check", file).stderr.strip()
+    assert isinstance(caught.value, OSError)
+
+
+def test_a_group_that_the_mesh_lacks_is_located(program, tmp_path):
+    mesh = percolith.Case.load(STRIP)["mesh.file"]
+    text = STRIP.read_text().replace(f'"{mesh}"', f'"{STRIP.parent / mesh}"')
+    file = tmp_path / "case.toml"
+    file.write_text(text.replace('"left"', '"nowhere"', 1))
+    with pytest.raises(percolith.CaseError) as caught:
+        percolith.Case.load(file).check()
+    assert str(caught.value) == program("check", file).stderr.strip()
+    assert str(file) + ":" in str(caught.value)
+
+
+def test_a_saved_case_is_the_same_case(strip, tmp_path):
+    strip["title"] = 'Quotes " and \\ and tabs\t'
+    strip.save(tmp_path / "other.toml")
+    again = percolith.Case.load(tmp_path / "other.toml")
+    assert again["title"] == strip["title"]
+    with strip.simulation() as one, again.simulation() as other:
+        one.run()
+        other.run()
+        assert one.state_hash == other.state_hash
+
+
+def test_check_tells_what_the_model_is(strip):
+    report = strip.check()
+    assert report.triangles == 172
+    assert report.limits[-1].mechanism == "all together"
+    assert report.limits[0].step > 0
+
+
+def test_options_are_described_from_their_declarations():
+    option = percolith.describe("material.granite.young_modulus")
+    assert option.path == "material.*.young_modulus" and option.unit == "Pa"
+    assert "Young" in option.help and "Young" in str(option)
+    with pytest.raises(percolith.CaseError, match="did you mean material"):
+        percolith.describe("material.granite.young_moduls")
+    for name in percolith.option_names():
+        assert percolith.describe(name).help
+
+
+def test_quantities_with_units():
+    assert percolith.quantity("20 GPa", "Pa") == 20e9
+    assert percolith.quantity("3", "s") == 3.0
+    with pytest.raises(percolith.CaseError, match='"20 GPa": .*allowed: '):
+        percolith.quantity("20 GPa", "s")
+    with pytest.raises(percolith.CaseError, match="does not begin with a number"):
+        percolith.quantity("much", "s")
+
+
+def test_the_version_is_that_of_the_program(program):
+    assert program("--version").stdout.startswith(f"percolith {percolith.__version__} ")

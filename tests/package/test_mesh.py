@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Meshes of shapes and of networks of fractures."""
+
+import numpy as np
+import percolith
+import pytest
+from percolith import mesh
+
+pytest.importorskip("gmsh")
+
+
+def flow_case(made: mesh.MadeMesh, high: str, low: str) -> percolith.Case:
+    """Steady flow from one side to another, along the fractures too."""
+    case = percolith.Case({
+        "mesh.file": made.file, "model.gravity": 0, "time.scheme": "steady",
+        "material.rock": {"regions": list(made.regions), "permeability": 1e-14, "porosity": 0.1},
+        "boundary.high": {"groups": [high], "pressure": 1e5},
+        "boundary.low": {"groups": [low], "pressure": 0},
+    })
+    if made.fractures:
+        case["fracture.all"] = {"groups": list(made.fractures), "initial_aperture": "0.1 mm",
+                                "exchange": "inf"}
+    return case
+
+
+def check(made: mesh.MadeMesh, high: str, low: str, smallest_angle: float = 15.0):
+    """The simulator takes the mesh, and fluid gets through without loss."""
+    simulation = flow_case(made, high, low).simulation()
+    report = simulation.check()
+    assert report.triangles == made.triangles and not report.warnings
+    assert report.smallest_angle > smallest_angle
+    simulation.run()
+    assert simulation.mass_balance["relative_error"] < 1e-8
+    return report
+
+
+def line(*points, group="fractures") -> mesh.Fracture:
+    return mesh.Fracture(np.array(points), group)
+
+
+def test_a_rectangle_with_a_crack(tmp_path):
+    made = mesh.rectangle(tmp_path / "m.msh", 2, 4, size=0.2, size_at_fractures=0.05,
+                          fractures=[line((0.4, 1.6), (1.6, 2.4), group="crack")])
+    report = check(made, "left", "right")
+    assert report.area == pytest.approx(8.0)
+    assert report.fracture_length == pytest.approx(np.hypot(1.2, 0.8))
+    assert made.fractures == ("crack",) and made.sides == ("bottom", "left", "right", "top")
+    assert report.smallest_edge < 0.06 and report.largest_edge > 0.15
+    assert not made.changes
+
+
+def test_a_disc_with_loaded_arcs(tmp_path):
+    made = mesh.disc(tmp_path / "m.msh", 0.05, size=0.004, flat_deg=12)
+    assert made.sides == ("bottom", "edge", "top")
+    assert check(made, "top", "bottom").area == pytest.approx(np.pi * 0.05**2, rel=5e-3)
+
+
+def test_a_borehole_through_a_fracture(tmp_path):
+    made = mesh.borehole(tmp_path / "m.msh", 2, 2, 0.1, size=0.2,
+                         fractures=[line((-0.5, 0.02), (0.6, 0.1))])
+    report = check(made, "hole", "left")
+    assert [change.kind for change in made.changes].count("left out") == 1
+    assert report.fracture_length == pytest.approx(np.hypot(1.1, 0.08) - 0.2, rel=0.1)
+
+
+@pytest.mark.parametrize("excavated", [False, True])
+def test_a_tunnel(tmp_path, excavated):
+    made = mesh.tunnel(tmp_path / "m.msh", 20, 20, 3, 2, size=1.5, excavated=excavated)
+    area = 400 - (0 if excavated else 3 * 2 + np.pi * 1.5**2 / 2)
+    assert check(made, "top", "bottom").area == pytest.approx(area, rel=1e-3)
+    assert made.regions == (("rock", "tunnel") if excavated else ("rock",))
+
+
+def test_a_slope(tmp_path):
+    made = mesh.slope(tmp_path / "m.msh", 10, 60, foot=10, crest=15, depth=8, size=1.5,
+                      fractures=[line((1, 0), (10, 9))])
+    back = 10 / np.tan(np.radians(60))
+    assert check(made, "face", "bottom").area == pytest.approx(
+        8 * (25 + back) + 10 * 15 + 5 * back)
+
+
+CLOSE = {
+    "crossing at two degrees": [((0.2, 0.5), (1.8, 0.5)), ((0.2, 0.47), (1.8, 0.53))],
+    "lying on each other": [((0.2, 0.5), (1.8, 0.5)), ((0.5, 0.501), (1.2, 0.499))],
+    "the same twice": [((0.2, 0.5), (1.8, 0.5)), ((0.2, 0.5), (1.8, 0.5))],
+    "ending just short": [((0.2, 0.5), (1.8, 0.5)), ((1.0, 0.51), (1.0, 1.5))],
+    "ending just beyond": [((0.2, 0.5), (1.8, 0.5)), ((1.0, 0.49), (1.0, 1.5))],
+    "three through one place": [((0.2, 0.5), (1.8, 1.5)), ((0.2, 1.5), (1.8, 0.501)),
+                                ((1.001, 0.2), (1.0, 1.8))],
+    "along the edge": [((0.2, 0.004), (1.8, 0.006))],
+    "just short of the edge": [((1.0, 1.0), (1.99, 1.2))],
+    "beyond the edge": [((1.0, 1.0), (2.7, 1.2))],
+    "from a corner at a small angle": [((0.0, 0.0), (1.5, 0.1))],
+    "a fan": [((0.2, 1.0), (1.8, 1.0 + 0.1 * i)) for i in range(6)],
+}
+
+
+@pytest.mark.parametrize("name", CLOSE)
+def test_fractures_that_nearly_touch_are_meshed_and_told(tmp_path, name):
+    fractures = [line(*points) for points in CLOSE[name]]
+    made = mesh.rectangle(tmp_path / "m.msh", 2, 2, size=0.2, size_at_fractures=0.05,
+                          fractures=fractures)
+    check(made, "left", "right")
+    if name != "the same twice":
+        assert made.changes
+    assert str(len(made.changes)) and all(str(change) in made.report() for change in made.changes)
+    lines = mesh.arrange(mesh.box(2, 2), fractures, 0.025)
+    for change in lines.changes:
+        assert change.kind != "points merged" or change.distance < 0.025
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_network_is_meshed_whatever_the_seed(tmp_path, seed):
+    region = mesh.box(2, 2)
+    sets = [mesh.FractureSet(angle_deg=20, spread_deg=8, density=4, group="first"),
+            mesh.FractureSet(density=3, shortest=0.1, group="second")]
+    network = mesh.fracture_network(region, sets, seed)
+    made = mesh.rectangle(tmp_path / "m.msh", 2, 2, size=0.1, size_at_fractures=0.04,
+                          fractures=network)
+    report = check(made, "left", "right", smallest_angle=10.0)
+    total = sum(fracture.length for fracture in network)
+    assert report.fracture_length == pytest.approx(total, rel=0.1)
+    assert made.fractures == ("first", "second")
+
+
+def test_a_network_has_the_statistics_it_was_asked_for():
+    region = mesh.box(40, 40)
+    one = mesh.FractureSet(angle_deg=30, spread_deg=5, shortest=0.2, longest=2, exponent=2.5,
+                           density=1.5)
+    network = mesh.fracture_network(region, one, seed=4)
+    lengths = np.array([fracture.length for fracture in network])
+    assert lengths.sum() / region.area == pytest.approx(1.5, rel=0.01)
+    ways = np.array([fracture.points[1] - fracture.points[0] for fracture in network])
+    angles = np.degrees(np.arctan2(ways[:, 1], ways[:, 0]))
+    assert angles.mean() == pytest.approx(30, abs=0.5) and angles.std() == pytest.approx(5, abs=0.3)
+    quantiles = one.lengths(np.array([0.25, 0.5, 0.75]))
+    assert np.quantile(lengths, [0.25, 0.5, 0.75]) == pytest.approx(quantiles, rel=0.05)
+    again = mesh.fracture_network(region, one, seed=4)
+    assert all(np.array_equal(a.points, b.points) for a, b in zip(network, again))
+    inside = np.concatenate([fracture.points for fracture in network])
+    assert (inside > -1e-9).all() and (inside < 40 + 1e-9).all()
+
+
+def test_a_fracture_is_clipped_to_the_rock():
+    region = mesh.box(2, 2)
+    region.holes = [mesh.box(0.5, 0.5, (1.0, 1.0))]
+    from percolith.mesh.fractures import clip
+    parts = clip(np.array([-1.0, 1.0]), np.array([3.0, 1.0]), region)
+    assert np.allclose(parts, [[[0, 1], [0.75, 1]], [[1.25, 1], [2, 1]]])
+    assert clip(np.array([-1.0, 3.0]), np.array([3.0, 3.0]), region) == []
+
+
+def make(tmp_path, **changes):
+    arguments = {"path": tmp_path / "m.msh", "width": 2, "height": 2, "size": 0.5, **changes}
+    return mesh.rectangle(**arguments)
+
+
+@pytest.mark.parametrize("changes, message", [
+    ({"size": 0}, "size = 0: not a positive length"),
+    ({"width": -1}, "width = -1: not a positive length"),
+    ({"path": "m.geo"}, "a mesh is written to a file .msh"),
+    ({"fine_sides": ["roof"]}, "no side roof; there are: bottom, left, right, top"),
+    ({"smallest_angle_deg": 80}, "allowed: 0 to 45 degrees"),
+    ({"fractures": [line((0.5, 0.5), (1.5, 1.0), group="left")]}, "left: the name of a side"),
+])
+def test_meshes_that_cannot_be_are_refused(tmp_path, changes, message):
+    with pytest.raises(percolith.MeshError, match=message):
+        make(tmp_path, **changes)
+
+
+def test_other_mistakes(tmp_path):
+    with pytest.raises(percolith.FileError, match="no folder"):
+        make(tmp_path, path=tmp_path / "nowhere" / "m.msh")
+    with pytest.raises(percolith.MeshError, match="two points"):
+        mesh.Fracture([(0, 0)])
+    with pytest.raises(percolith.MeshError, match="shortest <= longest"):
+        mesh.FractureSet(shortest=3)
+    with pytest.raises(percolith.MeshError, match="within the rectangle"):
+        mesh.borehole(tmp_path / "m.msh", 1, 1, 0.6, size=0.1)
+    with pytest.raises(percolith.MeshError, match="angle_deg = 0"):
+        mesh.slope(tmp_path / "m.msh", 1, 0, foot=1, crest=1, depth=1, size=0.1)
+
+
+def test_a_model_of_the_caller_is_left_alone(tmp_path):
+    import gmsh
+
+    gmsh.initialize(interruptible=False)
+    try:
+        gmsh.model.add("mine")
+        gmsh.model.geo.addPoint(0, 0, 0)
+        make(tmp_path)
+        assert gmsh.model.getCurrent() == "mine"
+    finally:
+        gmsh.finalize()

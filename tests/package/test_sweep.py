@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Many runs of one case."""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import percolith
+import pytest
+from percolith.sweeps import main
+
+OPTIONS = {"boundary.left.pressure": [1e5, "200 kPa"], "material.rock.porosity": [0.1, 0.2]}
+
+
+@pytest.fixture
+def case(strip) -> percolith.Case:
+    """The strip, its rock under a name that does not depend on the example."""
+    (name,) = strip["material"]
+    rock = strip["material"][name].to_dict()
+    del strip["material"]
+    strip["material.rock"] = rock
+    return strip
+
+
+def test_all_combinations_are_run_and_told(case, tmp_path):
+    sweep = percolith.sweep(case, OPTIONS, tmp_path / "study")
+    assert [point.state for point in sweep.points] == ["waiting"] * 4
+    assert sweep.run(processes=2) == {}
+    assert [point.state for point in sweep.points] == ["finished"] * 4
+    assert [point.options for point in sweep.points][2] == {
+        "boundary.left.pressure": "200 kPa", "material.rock.porosity": 0.1}
+    table = sweep.table()
+    assert list(table["state"]) == ["finished"] * 4
+    assert table["in_m2"][2] == pytest.approx(2 * table["in_m2"][0], rel=0.2)
+    case["boundary.left.pressure"] = "200 kPa"
+    case["material.rock.porosity"] = 0.1
+    with case.simulation() as alone:
+        alone.run()
+    assert sweep.points[2].results().summary["state_hash"] == alone.state_hash
+
+
+def test_what_has_finished_is_not_run_again_and_the_rest_goes_on(case, tmp_path):
+    sweep = percolith.sweep(case, OPTIONS, tmp_path / "study")
+    sweep.run_point(0)
+    before = (sweep.points[0].folder / "summary.json").stat().st_mtime_ns
+    with sweep.case(1).simulation(sweep.points[1].folder) as simulation:
+        simulation.advance(steps=7)
+    assert sweep.points[1].state == "interrupted"
+    again = percolith.sweep(case, OPTIONS, tmp_path / "study")
+    assert again.run(processes=1) == {}
+    assert (sweep.points[0].folder / "summary.json").stat().st_mtime_ns == before
+    assert "goes on from the checkpoint" in (sweep.points[1].folder / "run.log").read_text()
+    shutil.rmtree(sweep.points[3].folder)
+    assert np.isnan(sweep.table()["end_time_s"][3]) and sweep.points[3].state == "waiting"
+
+
+def test_points_may_be_listed_one_by_one(case, tmp_path):
+    sweep = percolith.sweep(case, [{"time.step": "2 ms"}, {"boundary.left.pressure": 3e5}],
+                            tmp_path / "study")
+    assert sweep.case(0)["time.step"] == "2 ms"
+    # One step more ends at 5 ms, a time of output.
+    assert sweep.run_point(0).summary["steps"] == 11
+
+
+def test_a_point_that_fails_does_not_stop_the_others(case, tmp_path):
+    case["fluid.cavitation_pressure"] = 0
+    case["source.well"] = {"point": [0.5, 0.01], "rate": 0.0}
+    sweep = percolith.sweep(case, {"source.well.rate": [-10.0, 0.0]}, tmp_path / "study")
+    failed = sweep.run(processes=1)
+    assert list(failed) == [0] and isinstance(failed[0], percolith.SolverError)
+    assert [point.state for point in sweep.points] == ["failed", "finished"]
+
+
+def test_mistakes_are_told_before_anything_is_written(case, tmp_path):
+    for options, message in [({"time.stepp": [1]}, "time.stepp"), ({"time.step": "2 ms"}, "no list"),
+                             ([], "without points"), ({"time.step": []}, "without points"),
+                             ([{"time.end": "3 MPa"}], "the unit \"MPa\"")]:
+        with pytest.raises(percolith.CaseError, match=message):
+            percolith.sweep(case, options, tmp_path / "study")
+    assert not (tmp_path / "study").exists()
+
+
+def test_a_folder_keeps_its_sweep(case, tmp_path):
+    sweep = percolith.sweep(case, OPTIONS, tmp_path / "study")
+    with pytest.raises(percolith.CaseError, match="another sweep"):
+        percolith.sweep(case, {"time.step": ["2 ms"]}, tmp_path / "study")
+    with pytest.raises(percolith.CaseError, match="no sweep here"):
+        percolith.Sweep(tmp_path)
+    with pytest.raises(percolith.CaseError, match="point 4: .*0 to 3"):
+        sweep.run_point(4)
+    with pytest.raises(percolith.CaseError, match="processes = 0"):
+        sweep.run(processes=0)
+
+
+def test_a_job_of_an_array_runs_one_point(case, tmp_path, capsys):
+    sweep = percolith.sweep(case, OPTIONS, tmp_path / "study")
+    done = subprocess.run([sys.executable, "-m", "percolith.sweeps", sweep.folder, "--point", "3",
+                           "--threads", "1"], check=False, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert sweep.points[3].state == "finished"
+    assert main([str(sweep.folder), "--list"]) == 0
+    assert "3 finished " + json.dumps(sweep.points[3].options) in capsys.readouterr().out
+    assert main([str(sweep.folder), "--point", "9"]) == 2
+    assert "no number of a point" in capsys.readouterr().err
+
+
+def test_ctrl_c_ends_a_sweep_that_goes_on_later(case, tmp_path):
+    case["time"] = {"scheme": "explicit", "end": "1e6 s"}
+    del case["output.times"]
+    sweep = percolith.sweep(case, {"boundary.left.pressure": [1e5, 2e5, 3e5]}, tmp_path / "study")
+
+    def interrupt():
+        deadline = time.monotonic() + 60
+        while not all((sweep.points[i].folder / "history.csv").is_file() for i in (0, 1)):
+            assert time.monotonic() < deadline
+            time.sleep(0.05)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    thread = threading.Thread(target=interrupt)
+    thread.start()
+    with pytest.raises(KeyboardInterrupt):
+        sweep.run(processes=2)
+    thread.join()
+    assert [point.state for point in sweep.points] == ["interrupted", "interrupted", "waiting"]
+    assert (sweep.points[0].folder / "checkpoint.bin").is_file()
