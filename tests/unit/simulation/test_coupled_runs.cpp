@@ -104,6 +104,35 @@ TEST(CoupledRuns, WhatLeaksIsWhatThePoresHoldMore) {
   EXPECT_LT(leaked, last.balance.in);
 }
 
+/// Under in-situ stress on all sides nothing holds a block; it stays in place all the same, and
+/// what holds it there bears next to nothing.
+TEST(CoupledRuns, ABlockUnderInSituStressOnAllSidesIsHeldInPlace) {
+  simulation::Setup setup = pumped();
+  setup.damping = {};
+  setup.boundary.clear();
+  setup.boundary["rim"] = test::on("left");
+  setup.boundary["rim"].groups = {"left", "right", "bottom", "top"};
+  setup.boundary["rim"].in_situ = true;
+  setup.in_situ = InSitu{};
+  setup.in_situ->stress_xx = -12e6;
+  setup.in_situ->stress_yy = -8e6;
+  setup.time.scheme = Scheme::quasi_static;
+  setup.time.end = 60.0;
+  setup.time.tolerance = 1e-3;
+  setup.material["sandstone"].rock.permeability = {1e-18, 1e-18, 0.0};
+  setup.source["pump"].rate = Schedule::constant(1e-6);
+  test::SolidRecorder recorder;
+  const Summary summary = test::run(setup, notched(), recorder);
+  EXPECT_EQ(summary.end_time, 60.0);
+  const HistoryRow& last = recorder.history.back();
+  EXPECT_GT(last.maximum_crack_pressure, 1e6);
+  EXPECT_LT(last.balance.relative_error, 1e-12);
+  for (const char* reaction :
+       {"held_in_place.reaction_x_N_per_m", "held_in_place.reaction_y_N_per_m"}) {
+    EXPECT_LT(std::abs(value_of(last.mechanics, reaction)), 1e-4 * 12e6) << reaction;
+  }
+}
+
 TEST(CoupledRuns, NothingRestsWhileAPumpRuns) {
   simulation::Setup setup = pumped();
   setup.time.stop_ratio = 5e-2;
