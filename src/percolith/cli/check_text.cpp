@@ -85,7 +85,7 @@ std::string limit_text(const simulation::CheckReport& report,
     stable = std::fmin(stable, limit.step);  // the mechanisms act together: the last one holds
   }
   if (stepping.scheme == simulation::Scheme::quasi_static) {
-    return text + "  scheme quasi_static: these rule the steps that seek the balance of forces\n";
+    return text + "  scheme quasi_static: no step of time is bound by these\n";
   }
   if (is_mechanics) {  // which has no other scheme
     return text + explicit_text(stepping, stable, fmt::format(", safety {:g}", stepping.safety));

@@ -77,31 +77,32 @@ Changes Dynamics::advance(double dt, Execution& execution) {
   return step(motion_law(model_, dt), execution);
 }
 
-Changes Dynamics::creep(double dt, double dt_pull, Execution& execution) {
-  Changes changes = step(creeping_law(dt, dt_pull), execution);
-  model_.energy.kinetic = 0.0;
-  return changes;
+Changes Dynamics::creep(double dt, Execution& execution) {
+  return step(creeping_law(dt, true), execution);
 }
 
-void Dynamics::shift(std::span<const double> way, double dt_pull, Execution& execution) {
+Changes Dynamics::pull(double dt, Execution& execution) {
+  return step(creeping_law(dt, false), execution);
+}
+
+void Dynamics::shift(std::span<const double> way, double dt, Execution& execution) {
   Motion& m = model_.motion;
   const std::size_t corners = m.ux.size();
   // The step before has booked half of the way that its velocities would have led.
   for (std::size_t c = 0; c < corners; ++c) {
-    m.vx[c] = 0.5 * (way[2 * c] / dt_pull - m.vx[c]);
-    m.vy[c] = 0.5 * (way[2 * c + 1] / dt_pull - m.vy[c]);
+    m.vx[c] = 0.5 * (way[2 * c] / dt - m.vx[c]);
+    m.vy[c] = 0.5 * (way[2 * c + 1] / dt - m.vy[c]);
   }
   const ContactForces contact{contact_.force_x(), contact_.force_y(), contact_.acts()};
-  book_works(
-      execution.sum_each<terms>("works", model_.mesh.triangles(),
-                                WorkOfPath{Move(model_, contact, creeping_law(0.0, dt_pull))}));
+  book_works(execution.sum_each<terms>("works", model_.mesh.triangles(),
+                                       WorkOfPath{Move(model_, contact, creeping_law(dt, false))}));
   double furthest = 0.0;
   for (std::size_t c = 0; c < corners; ++c) {
     const Point w{way[2 * c], way[2 * c + 1]};
     m.ux[c] += w.x;
     m.uy[c] += w.y;
-    m.vx[c] = w.x / dt_pull;
-    m.vy[c] = w.y / dt_pull;
+    m.vx[c] = w.x / dt;
+    m.vy[c] = w.y / dt;
     furthest = std::max(furthest, dot(w, w));
   }
   travelled_ = std::sqrt(furthest);
@@ -121,13 +122,17 @@ Changes Dynamics::step(const MotionLaw& law, Execution& execution) {
   contact_.advance(model_.mesh, motion_of(model_), travelled_, model_.motion.last_step, execution);
   add_turns(model_, contact_);
   loads_.apply(model_);
-  supports_.apply(model_, law.dt);
+  const double dt = law.creeps ? law.dt_velocity : law.dt;
+  supports_.apply(model_, dt);
   book(move(law, execution), law.dt);
   loads_.book_absorbed(model_, law.dt);
-  if (!law.creeps) {
-    model_.motion.time += law.dt;
+  if (law.creeps) {
+    // Velocities are ways over a time of no meaning.
+    model_.energy.kinetic = 0.0;
+  } else {
+    model_.motion.time += dt;
   }
-  model_.motion.last_step = law.creeps ? law.dt_velocity : law.dt;
+  model_.motion.last_step = dt;
   const auto start = std::chrono::steady_clock::now();
   Changes changes = break_failed_joints(model_, table_);
   if (changes.any()) {

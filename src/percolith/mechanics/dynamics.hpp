@@ -23,12 +23,14 @@ public:
   Changes advance(double dt, Execution& execution);
 
   /// One step of rock that creeps towards rest: leaves as velocity what the forces of the present
-  /// places give masses at rest in `dt_pull` (s), and lets it move the rock for `dt` (s), 0 or
-  /// `dt_pull`. The velocities before are those by which the rock has come here; time stands still.
-  Changes creep(double dt, double dt_pull, Execution& execution);
-  /// Moves the corners by `way` (m), x and y in turn per corner slot, besides what `creep` with a
-  /// dt of 0 left, and books works and energies.
-  void shift(std::span<const double> way, double dt_pull, Execution& execution);
+  /// places give masses at rest in `dt` (s), and lets it move the rock as long. The velocities
+  /// before are those by which the rock has come here; time stands still.
+  Changes creep(double dt, Execution& execution);
+  /// The same of rock that stays, for a `shift` after it.
+  Changes pull(double dt, Execution& execution);
+  /// Moves the corners, on which `pull` has left its velocities, by `way` (m), x and y in turn per
+  /// corner slot, and books works and energies.
+  void shift(std::span<const double> way, double dt, Execution& execution);
   /// Takes all velocities away, and their energy as damping would.
   void halt();
 

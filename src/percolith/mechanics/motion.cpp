@@ -8,8 +8,8 @@ MotionLaw motion_law(const Model& model, double dt) {
           0.5 * (model.motion.last_step + dt)};
 }
 
-MotionLaw creeping_law(double dt, double dt_pull) {
-  return {0.0, 0.0, dt, dt_pull, true};
+MotionLaw creeping_law(double dt, bool moves) {
+  return {0.0, 0.0, moves ? dt : 0.0, dt, true};
 }
 
 Move::Move(Model& model, const ContactForces& contact, const MotionLaw& motion)

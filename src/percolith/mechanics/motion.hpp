@@ -72,8 +72,8 @@ struct MotionLaw {
 [[nodiscard]] MotionLaw motion_law(const Model& model, double dt);
 
 /// The law of rock that creeps: velocities are those of forces that act on masses at rest for
-/// `dt_pull` (s), at which it moves for `dt` (s).
-[[nodiscard]] MotionLaw creeping_law(double dt, double dt_pull);
+/// `dt` (s), at which it moves as long, or not at all.
+[[nodiscard]] MotionLaw creeping_law(double dt, bool moves);
 
 /// Forces of contact: per corner, and the blocks where there are any; all empty without contact.
 struct ContactForces {
@@ -204,16 +204,23 @@ struct Move {
     sums.raise(lane, fastest);
   }
 
+  /// All forces on corner `k` together.
+  template <class Real>
+  PERCOLITH_DEVICE Vec2<Real> all_of(const ForcesByOrigin<Real>& f, std::size_t k) const {
+    Vec2<Real> total = (f.stress[k] + f.joint[k]) + (f.contact[k] + f.load[k]);
+    if (solid.is_wet()) {
+      total = total + f.fluid[k];
+    }
+    total.y += f.gravity;
+    return total;
+  }
+
   /// New velocity of corner `k`, a node of its own, under all forces.
   template <class Lane>
   PERCOLITH_DEVICE Vec2<typename Lane::Real>
   faster(Lane lane, std::size_t k, const ForcesByOrigin<typename Lane::Real>& f,
          const Vec2<typename Lane::Real>& v, typename Lane::Real w, LaneSums<terms>& sums) const {
-    Vec2<typename Lane::Real> total = (f.stress[k] + f.joint[k]) + (f.contact[k] + f.load[k]);
-    if (solid.is_wet()) {
-      total = total + f.fluid[k];
-    }
-    total.y += f.gravity;
+    const Vec2<typename Lane::Real> total = all_of(f, k);
     const Index slot = mesh::corner_of(lane.first, static_cast<Index>(k));
     return move_corner(lane, slot, total, v, w, sums);
   }
@@ -336,12 +343,7 @@ struct WorkOfPath {
     const Real w = Lane::load(move.inverse_mass + t);
     Real spent(0.0);
     for (std::size_t k = 0; k < 3; ++k) {
-      Vec2<Real> total = (f.stress[k] + f.joint[k]) + (f.contact[k] + f.load[k]);
-      if (move.solid.is_wet()) {
-        total = total + f.fluid[k];
-      }
-      total.y += f.gravity;
-      spent += dot(total, move.law.path(v[k], v[k]));
+      spent += dot(move.all_of(f, k), move.law.path(v[k], v[k]));
     }
     sums.add(static_cast<std::size_t>(Term::damping), lane,
              -select(w > Real(0.0), spent, Real(0.0)));

@@ -37,8 +37,13 @@ double length(std::span<const double> v) {
 Relaxation::Relaxation(Dynamics& rock)
     : rock_(&rock), joined_(rock.model()), pull_(2 * rock.model().motion.ux.size(), 0.0),
       way_(pull_.size(), 0.0), last_way_(pull_.size(), 0.0) {
-  rock.model().damping = {};
-  even_masses(rock.model(), rock.contact_penalty(), safety * step_length);
+  Model& model = rock.model();
+  model.damping = {};
+  even_masses(model, rock.contact_penalty(), safety * step_length);
+  model.damping.local = swing_damping;
+  for (Index j = 0; j < model.mesh.joints(); ++j) {
+    shortest_joint_ = std::min(shortest_joint_, model.joints.length[at(j)]);
+  }
 }
 
 void Relaxation::begin() {
@@ -50,15 +55,14 @@ void Relaxation::begin() {
   rising_ = 0;
   held_back_ = 0;
   std::fill(last_way_.begin(), last_way_.end(), 0.0);
-  joined_.refresh(rock_->model());
 }
 
 Changes Relaxation::pull(Execution& execution) {
   turn_ = (turn_ + 1) % turns;
   if (turn_ != 0) {
-    return rock_->creep(step_length, step_length, execution);
+    return rock_->creep(step_length, execution);
   }
-  Changes changes = rock_->creep(0.0, step_length, execution);
+  Changes changes = rock_->pull(step_length, execution);
   go_whole(execution);
   return changes;
 }
@@ -105,24 +109,18 @@ void Relaxation::judge_turn() {
 }
 
 double Relaxation::longest_share() const {
-  const Model& model = rock_->model();
   double furthest = 0.0;
   for (const double w : way_) {
     furthest = std::max(furthest, std::abs(w));
   }
-  double share = joined_.careful_share(model, way_);
-  for (Index j = 0; j < model.mesh.joints() && furthest > 0.0; ++j) {
-    share = std::min(share, longest_way * model.joints.length[at(j)] / furthest);
-  }
-  return share;
+  const double share = joined_.careful_share(rock_->model(), way_);
+  return furthest > 0.0 ? std::min(share, longest_way * shortest_joint_ / furthest) : share;
 }
 
 Changes Relaxation::swing(Execution& execution) {
   Model& model = rock_->model();
   const double time = model.motion.time;
-  model.damping.local = swing_damping;
   Changes changes = rock_->advance(step_length, execution);
-  model.damping.local = 0.0;
   model.motion.time = time;
   for (Breakage& breakage : changes.broke) {
     breakage.time = time;

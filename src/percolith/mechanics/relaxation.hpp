@@ -4,6 +4,7 @@
 #include "percolith/mechanics/dynamics.hpp"
 #include "percolith/mechanics/joined_rock.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace percolith::mechanics {
@@ -40,6 +41,7 @@ private:
 
   Dynamics* rock_;
   JoinedRock joined_;
+  double shortest_joint_ = std::numeric_limits<double>::infinity();  // m
   int turn_ = 0;
   double share_ = 1.0;                  // of the way of the whole rock that is gone
   double unbalanced_ = 0.0;             // N/m, when it went last; 0 at first

@@ -120,6 +120,14 @@ double together(const Model& model, const Frequencies& f) {
   return (1.0 + model.damping.local) * (f.triangle + std::max(f.joints, f.contact));
 }
 
+/// By how much the mass of a triangle must grow for it to be stable alone up to `step` (s).
+/// Frequencies fall as one over the mass: dt^2 square + 2 dt viscous = 4 is linear in it.
+double mass_factor(const Model& model, Index t, std::span<const double> contact_penalty,
+                   double step) {
+  const Frequencies f = frequencies(model, t, penalty_of(contact_penalty, t));
+  return 0.25 * (step * step * together(model, f) + 2.0 * step * (f.viscous + f.absorbing));
+}
+
 }  // namespace
 
 Frequencies frequencies(const Model& model, Index t, double contact_penalty) {
@@ -197,18 +205,6 @@ std::vector<MotionLimit> step_limits(const Model& model, std::span<const double>
   }
   return limits;
 }
-
-namespace {
-
-/// By how much the mass of a triangle must grow for it to be stable alone up to `step` (s).
-/// Frequencies fall as one over the mass: dt^2 square + 2 dt viscous = 4 is linear in it.
-double mass_factor(const Model& model, Index t, std::span<const double> contact_penalty,
-                   double step) {
-  const Frequencies f = frequencies(model, t, penalty_of(contact_penalty, t));
-  return 0.25 * (step * step * together(model, f) + 2.0 * step * (f.viscous + f.absorbing));
-}
-
-}  // namespace
 
 double scale_mass(Model& model, std::span<const double> contact_penalty, double step) {
   double before = 0.0;

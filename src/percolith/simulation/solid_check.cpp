@@ -77,12 +77,9 @@ std::int64_t count_state(const mechanics::Model& model, JointState state) {
 
 /// Paths of the tables that joints have their strengths from, in the order of their owners.
 std::vector<std::string> table_paths(const Setup& setup) {
-  std::vector<std::string> paths;
-  for (const auto& [name, material] : setup.material) {
-    paths.push_back("material." + name);
-  }
-  for (const auto& [name, fracture] : setup.fracture) {
-    paths.push_back("fracture." + name);
+  std::vector<std::string> paths = joint_kind_names(setup);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    paths[i].insert(0, i < setup.material.size() ? "material." : "fracture.");
   }
   return paths;
 }

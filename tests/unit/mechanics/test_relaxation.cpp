@@ -132,7 +132,7 @@ TEST(JoinedRock, GoesWhereTiedRockIsInBalanceAtOnce) {
   Dynamics rock = pushed({.joints = JointState::tied}, 1e3);
   Execution execution;
   const double step = 1e-7;
-  rock.creep(0.0, step, execution);
+  rock.pull(step, execution);
   const double before = rock.model().energy.unbalanced;
   EXPECT_GT(before, 100.0);
   std::vector<double> pull(2 * rock.model().motion.ux.size(), 0.0);
@@ -146,7 +146,7 @@ TEST(JoinedRock, GoesWhereTiedRockIsInBalanceAtOnce) {
   joined.refresh(rock.model());
   joined.find_way(rock.model(), pull, way);
   rock.shift(way, step, execution);
-  rock.creep(0.0, step, execution);
+  rock.pull(step, execution);
   // Strains are small but not infinitely so.
   EXPECT_LT(rock.model().energy.unbalanced, 1e-4 * before);
 }
