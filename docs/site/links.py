@@ -44,8 +44,9 @@ def source_link(site: Site, page: str, file: str, shown: str, line: int | None =
     place = f"#L-{line}" if line else ""
     words = re.sub(r"`([^`]+)`", r"<code>\1</code>", html.escape(shown, quote=False))
     where = f' title="{file}, line {line}"' if line else f' title="{file}"'
+    number = f'<span class="line">:{line}</span>' if line else ""
     return (f'<a class="source reference internal" href="{site_map.relative(target, page)}{place}"'
-            f"{where}>{words}</a>")
+            f"{where}>{words}{number}</a>")
 
 
 def resolve(site: Site, file: str, target: str) -> tuple[str, str]:

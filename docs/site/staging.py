@@ -14,8 +14,10 @@ import sys
 from pathlib import Path
 
 import decisions
+import equations
 import links
 import markdown_text
+import mentions
 import site_map
 from markdown_text import Line
 
@@ -75,8 +77,14 @@ def stage(folder: Path) -> list[str]:
     files = sorted(site.files)
     problems: list[str] = []
     made: dict[str, str] = {}
+    names = mentions.collect(site.files)
+    texts = {file: (ROOT / file).read_text(encoding="utf-8") for file in site.pages}
+    numbered = {file: equations.own_places(texts[file])
+                for file in (equations.THEORY, equations.PAPER)}
     for file, page in site.pages.items():
-        text = (ROOT / file).read_text(encoding="utf-8")
+        text = mentions.with_places(site, names, file, texts[file], problems)
+        if file in numbered:
+            text = equations.with_numbers(file, text, numbered, problems)
         made[page] = one_title(with_links(site, file, text, problems))
     made["decisions/index"] = decisions.page(files)
     made["index"] += contents(site_map.groups(files))
