@@ -134,9 +134,13 @@ class Reader:
         """A link for the path of a file or folder; "" where `name` is none."""
         path = name.rstrip("/")
         if path.split("/")[0] in FOLDERS and "/" in path and re.fullmatch(r"[\w./-]+", path):
-            if path in self.site.files or links.inside(path, self.site):
+            if path in self.site.files:
                 return self.linked(path, name)
-            self.problem(f"`{name}`: no such file")
+            if not links.inside(path, self.site):
+                self.problem(f"`{name}`: no such file")
+            elif f"{path}/README.md" in self.site.pages:
+                way = site_map.relative(path, self.file)
+                return f"[`{name}`]({way})"
         elif path.endswith((".cpp", ".hpp")) and re.fullmatch(r"[\w./-]+", path):
             return self.of_source(path, name)
         return ""

@@ -15,10 +15,13 @@ from pathlib import Path
 
 import decisions
 import equations
+import gallery
 import links
 import markdown_text
 import mentions
+import python_page
 import site_map
+import verification_table
 from markdown_text import Line
 
 ROOT = site_map.ROOT
@@ -87,6 +90,14 @@ def stage(folder: Path) -> list[str]:
             text = equations.with_numbers(file, text, numbered, problems)
         made[page] = one_title(with_links(site, file, text, problems))
     made["decisions/index"] = decisions.page(files)
+    made["python-reference"] = python_page.page()
+    try:
+        for name in gallery.names(site.files):
+            made[f"examples/{name}/index"] += gallery.appendix(site, name)
+        made["examples/index"] += gallery.gallery(site)
+        made["verification/index"] += verification_table.page(site)
+    except links.Missing as missing:
+        problems.append(str(missing))
     made["index"] += contents(site_map.groups(files))
     for name in ("examples", "verification"):
         made[f"{name}/index"] += children(site_map.below(name, files))
@@ -107,6 +118,10 @@ def write(folder: Path, made: dict[str, str], site: links.Site) -> None:
         shutil.copyfile(ROOT / picture, target)
     shown = {file for source in site.sources
              for file in ([source] if source in site.files else links.inside(source, site))}
+    extra = folder / "_extra/verification"
+    extra.mkdir(parents=True)
+    if verification_table.measured():
+        shutil.copyfile(verification_table.RESULTS / "index.html", extra / "report.html")
     (folder / "sources.json").write_text(json.dumps(sorted(shown)) + "\n")
 
 
