@@ -34,7 +34,7 @@ def canvas(width: float, height: float, columns: int = 1, *, plain: bool = True)
 
 
 def save(figure, file: Path) -> None:
-    figure.savefig(file, format="svg", metadata={"Date": None})
+    figure.savefig(file, format="svg", metadata={"Date": None}, bbox_inches="tight", pad_inches=0.1)
     plt.close(figure)
 
 

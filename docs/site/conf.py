@@ -13,9 +13,11 @@ project = "Percolith"
 version = release = staging.version()
 html_title = f"Percolith {version}"
 language = "en"
-extensions = ["myst_parser", "sphinx.ext.autodoc", "mathml", "source_pages"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "docstrings", "mathml", "source_pages"]
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 4
+# Quotes belong to values.
+smartquotes = False
 exclude_patterns = ["_extra"]
 autodoc_member_order = "bysource"
 autodoc_typehints = "description"

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import re
 
-from markdown_text import INLINE, read_lines
+from markdown_text import outside, read_lines
 
 THEORY, PAPER = "docs/theory.md", "docs/equations.md"
 CELLS = re.compile(r"(?<!\\)\|")
@@ -110,11 +110,4 @@ def _prose(text: str, places: dict[str, set[str]], own: set[str]) -> str:
             return _link("theory", number, match[0])
         return _link("equations", number, match[0]) if number in places[PAPER] else match[0]
 
-    def outside(part: str) -> str:
-        return OWN.sub(refer, OF_PAPER.sub(refer, part))
-
-    pieces, end = [], 0
-    for match in INLINE.finditer(text):
-        pieces += [outside(text[end:match.start()]), match[0]]
-        end = match.end()
-    return "".join([*pieces, outside(text[end:])])
+    return outside(text, lambda part: OWN.sub(refer, OF_PAPER.sub(refer, part)))

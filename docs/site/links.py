@@ -7,7 +7,9 @@ import html
 import posixpath
 import re
 from dataclasses import dataclass, field
+from functools import cache
 
+import markdown_text
 import site_map
 
 PICTURES = (".png", ".gif", ".svg")
@@ -49,6 +51,11 @@ def source_link(site: Site, page: str, file: str, shown: str, line: int | None =
             f"{where}>{words}{number}</a>")
 
 
+@cache
+def title_of(file: str) -> str:
+    return markdown_text.title((site_map.ROOT / file).read_text(encoding="utf-8"))
+
+
 def resolve(site: Site, file: str, target: str) -> tuple[str, str]:
     """The file or folder that a link in `file` names, and what follows `#`."""
     path, _, fragment = target.partition("#")
@@ -68,6 +75,8 @@ def convert(site: Site, file: str, mark: str, text: str, target: str) -> str:
         found += "/README.md"
     if found in site.pages:
         anchor = f"#{fragment}" if fragment else ""
+        if text.endswith(".md"):
+            text = title_of(found)
         return f"[{text}]({site_map.relative(site.pages[found] + '.md', page)}{anchor})"
     if found.endswith(PICTURES):
         site.pictures.add(found)

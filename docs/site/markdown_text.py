@@ -111,3 +111,12 @@ def links(text: str) -> Iterator[tuple[int, str]]:
 def rewrite(text: str, change: Callable[[Inline], str]) -> str:
     """A line with each link, span of code and formula replaced by what `change` makes of it."""
     return INLINE.sub(change, text)
+
+
+def outside(text: str, change: Callable[[str], str]) -> str:
+    """A line in which `change` has been applied to what is no link, code, formula or HTML."""
+    pieces, end = [], 0
+    for match in INLINE.finditer(text):
+        pieces += [change(text[end:match.start()]), match[0]]
+        end = match.end()
+    return "".join([*pieces, change(text[end:])])

@@ -36,8 +36,8 @@ def page() -> str:
     lost = set(exported("python/percolith/__init__.py")) - listed - {"mesh"}
     if lost:
         raise ValueError(f"docs/site/python_page.py: no group for {', '.join(sorted(lost))}")
-    parts = ["# Reference of the Python package\n\n[python.md](python.md) tells how to use it; this page "
-             "is made from its docstrings.\n\n"]
+    parts = ["# Reference of the Python package\n\n[Percolith from Python](python.md) tells how to use it; "
+             "this page is made from its docstrings.\n\n"]
     for group, names in GROUPS.items():
         parts.append(f"## {group}\n\n" + "".join(entry("percolith", name) for name in names))
     parts.append("## Meshes\n\n" + "".join(

@@ -21,6 +21,7 @@ import markdown_text
 import mentions
 import python_page
 import site_map
+import subscripts
 import verification_table
 from markdown_text import Line
 
@@ -88,7 +89,7 @@ def stage(folder: Path) -> list[str]:
         text = mentions.with_places(site, names, file, texts[file], problems)
         if file in numbered:
             text = equations.with_numbers(file, text, numbered, problems)
-        made[page] = one_title(with_links(site, file, text, problems))
+        made[page] = one_title(subscripts.lowered(with_links(site, file, text, problems)))
     made["decisions/index"] = decisions.page(files)
     made["python-reference"] = python_page.page()
     try:
