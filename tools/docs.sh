@@ -20,6 +20,7 @@ fi
 say "building the site"
 rm -rf build/docs build/docs-source build/docs-cache
 .venv/bin/python docs/site/staging.py build/docs-source
+.venv/bin/python docs/figures/draw.py build/docs-source/figures
 PYTHONPATH=$package MPLBACKEND=Agg .venv/bin/python -m sphinx -q -W --keep-going -b html \
   -c docs/site -d build/docs-cache build/docs-source build/docs
 .venv/bin/python docs/site/offline.py build/docs

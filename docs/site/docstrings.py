@@ -11,7 +11,7 @@ NAME = re.compile(r"(?<!`)`([^`\n]+)`(?!`)")
 
 def as_sphinx(lines: list[str]) -> list[str]:
     """The lines of a docstring with its names and its blocks of code marked."""
-    made = NAME.sub(r"``\1``", "\n".join(lines)).split("\n")
+    made = [line if line.startswith("    ") else NAME.sub(r"``\1``", line) for line in lines]
     for i in range(len(made) - 2):
         is_code = made[i + 2].startswith("    ") and not made[i].startswith(" ")
         if made[i].endswith(":") and not made[i].endswith("::") and not made[i + 1] and is_code:
