@@ -61,7 +61,8 @@ def with_numbers(file: str, text: str, places: dict[str, set[str]], problems: li
             code = cells[-2] if cells[-2].strip() else code
             cells[-2] = code
             if 'class="line"' not in code:
-                problems.append(f"{file}:{line.number}: no function is named for {cells[1].strip()}")
+                problems.append(f"{file}:{line.number}: no function is named for "
+                                f"{cells[1].strip()}")
         own = set(numbers(cells[1]))
         marks = "".join(f'<span class="place" id="eq-{number}"></span>'
                         for number in sorted(own - seen))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The gallery of examples, and what the page of an example has beside its README: criteria, files."""
+"""The gallery of examples, and what the page of an example has beside its README."""
 
 from __future__ import annotations
 

@@ -66,7 +66,7 @@ def resolve(site: Site, file: str, target: str) -> tuple[str, str]:
 
 
 def convert(site: Site, file: str, mark: str, text: str, target: str) -> str:
-    """A link or picture of `file` as it stands in the page of the site; `mark` is `!` for a picture."""
+    """A link or picture of `file` as its page on the site has it; `mark` is `!` for a picture."""
     if re.match(r"\w+:", target):
         return f"{mark}[{text}]({target})"
     page = site.pages[file]

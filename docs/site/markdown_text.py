@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The parts of a Markdown text that the site and its tests look at: code blocks, headings, links."""
+"""The parts of a Markdown text that the site and its tests look at: code, headings, links."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from dataclasses import dataclass
 FENCE = re.compile(r"^(\s*)(```+)\s*(\w*)")
 HEADING = re.compile(r"^(#{1,6}) +(.*?)\s*$")
 INLINE = re.compile(r"(?P<image>!?)\[(?P<text>(?:`[^`]*`|[^\[\]`])*)\]\((?P<target>[^()\s]+)\)"
-                    r"|`(?P<code>[^`]+)`|\$(?P<math>[^$\n]+)\$|<(?P<html>[^<> ][^<>]*)>")
+                    r"|``(?P<quoted>(?:[^`]|`(?!`))+)``|`(?P<code>[^`]+)`"
+                    r"|\$(?P<math>[^$\n]+)\$|<(?P<html>[^<> ][^<>]*)>")
 Inline = re.Match[str]
 
 
@@ -35,7 +36,7 @@ class Block:
 
 
 def read_lines(text: str) -> Iterator[Line]:
-    """The lines with what is code marked: fences, and what is indented by four after a blank line."""
+    """The lines with what is code marked: fences, and what is indented by four after a blank."""
     fence = ""
     blank, indented = True, False
     for number, line in enumerate(text.splitlines(), 1):
@@ -74,8 +75,12 @@ def blocks(text: str) -> list[Block]:
 
 def plain(text: str) -> str:
     """A heading or a sentence without marks of code, links and emphasis."""
-    text = INLINE.sub(lambda part: part["text"] or part["code"] or part["math"] or "", text)
+    text = INLINE.sub(_words, text)
     return re.sub(r"[`*]", "", text)
+
+
+def _words(part: Inline) -> str:
+    return part["text"] or part["quoted"] or part["code"] or part["math"] or ""
 
 
 def headings(text: str) -> list[tuple[int, str]]:
@@ -90,7 +95,7 @@ def title(text: str) -> str:
 
 
 def anchors(text: str) -> set[str]:
-    """What a link may have after `#`, by the rule of code hosts: small letters, hyphens for blanks."""
+    """What a link may have after `#`, by the rule of code hosts: small letters and hyphens."""
     seen: Counter[str] = Counter()
     found = set()
     for _, heading in headings(text):

@@ -160,7 +160,7 @@ class Reader:
         return ""
 
     def of_symbol(self, name: str, must: bool) -> str:
-        """A link for a name in the code; "" where it is not one, which is a problem if it must be."""
+        """A link for a name in the code; "" where it is none, which is a problem if it must be."""
         if not NAME.fullmatch(name) or name.startswith(FOREIGN):
             return ""
         if self.source:
