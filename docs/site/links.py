@@ -39,12 +39,17 @@ def inside(folder: str, site: Site) -> list[str]:
     return sorted(file for file in site.files if file.startswith(f"{folder}/"))
 
 
+def _code(span: re.Match[str]) -> str:
+    """A name as code that may be broken between its words where a column is narrow."""
+    return f"<code>{re.sub(r'(?<=[a-z.])(?=[A-Z])|(?<=[_/])(?=.)', '<wbr>', span[1])}</code>"
+
+
 def source_link(site: Site, page: str, file: str, shown: str, line: int | None = None) -> str:
     """HTML that leads from `page` to a line of `file`; `shown` is Markdown of text and code."""
     site.sources.add(file)
     target = f"sources/{file}.html" if file in site.files else f"sources/{file}/index.html"
     place = f"#L-{line}" if line else ""
-    words = re.sub(r"`([^`]+)`", r"<code>\1</code>", html.escape(shown, quote=False))
+    words = re.sub(r"`([^`]+)`", _code, html.escape(shown, quote=False))
     where = f' title="{file}, line {line}"' if line else f' title="{file}"'
     number = f'<span class="line">:{line}</span>' if line else ""
     return (f'<a class="source reference internal" href="{site_map.relative(target, page)}{place}"'
