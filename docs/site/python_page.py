@@ -31,14 +31,13 @@ def entry(module: str, name: str) -> str:
 
 
 def page() -> str:
-    """Raises ValueError where the package exports a name that stands in no group."""
+    """All that the package exports; what stands in no group comes behind them."""
     listed = {name for names in GROUPS.values() for name in names}
-    lost = set(exported("python/percolith/__init__.py")) - listed - {"mesh"}
-    if lost:
-        raise ValueError(f"docs/site/python_page.py: no group for {', '.join(sorted(lost))}")
+    others = sorted(set(exported("python/percolith/__init__.py")) - listed - {"mesh"})
+    groups = {**GROUPS, "More": others} if others else GROUPS
     parts = ["# Reference of the Python package\n\n[Percolith from Python](python.md) tells how to use it; "
              "this page is made from its docstrings.\n\n"]
-    for group, names in GROUPS.items():
+    for group, names in groups.items():
         parts.append(f"## {group}\n\n" + "".join(entry("percolith", name) for name in names))
     parts.append("## Meshes\n\n" + "".join(
         entry("percolith.mesh", name) for name in exported("python/percolith/mesh/__init__.py")))

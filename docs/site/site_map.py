@@ -45,14 +45,17 @@ def relative(target: str, page: str) -> str:
 
 
 def groups(files: list[str]) -> dict[str, list[str]]:
-    """The pages below each caption of the table of contents."""
+    """The pages below each caption of the table of contents; a page of `docs/` that none of them
+    lists stands at the end of the guide."""
     names = pages(files)
+    others = [file for file in names if posixpath.dirname(file) == "docs"
+              and file not in GUIDE + THEORY + PROJECT]
 
     def of(wanted: list[str]) -> list[str]:
         return [names.get(file, file) for file in wanted]
 
     return {
-        "Guide": of(GUIDE),
+        "Guide": of(GUIDE + sorted(others)),
         "Theory": of(THEORY),
         "Examples and verification": ["examples/index", "verification/index"],
         "Project": of(PROJECT),
