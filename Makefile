@@ -12,7 +12,7 @@ build:  ## set up the machine and build build/release/bin/percolith
 demo:  ## build, run a well whose pressure splits rock, draw and animate it
 	@tools/demo.sh
 
-test:  ## build with warnings as errors; unit, command-line and reference tests, format, fuzzing
+test:  ## build with warnings as errors; unit, command-line and reference tests, documents, format, fuzzing
 	@tools/test.sh
 
 check:  ## clang-tidy, and the tests under the address and undefined-behaviour sanitizers
