@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Each target is one script in tools/; the scripts do the set-up they need by themselves.
 .DEFAULT_GOAL := help
-.PHONY: help build demo test check verify bench package test-fresh format lock clean
+.PHONY: help build demo test check verify bench docs package test-fresh format lock clean
 
 help:  ## this list
 	@sed -n 's/^\([a-z-]*\):.*##/  make \1\t/p' Makefile | expand -t 18
@@ -12,7 +12,7 @@ build:  ## set up the machine and build build/release/bin/percolith
 demo:  ## build, run a well whose pressure splits rock, draw and animate it
 	@tools/demo.sh
 
-test:  ## build with warnings as errors; unit, command-line and reference tests, format, fuzzing
+test:  ## build with warnings as errors; unit, command-line and reference tests, documents, format, fuzzing
 	@tools/test.sh
 
 check:  ## clang-tidy, and the tests under the address and undefined-behaviour sanitizers
@@ -23,6 +23,9 @@ verify:  ## compare with all references; CASE=name for one
 
 bench:  ## measure, and write build/bench/report.json
 	@tools/bench.sh
+
+docs:  ## the documentation as a site that needs no network, build/docs/index.html
+	@tools/docs.sh
 
 package:  ## the archive and the wheel of the Python package, installed by itself and tried
 	@tools/package.sh

@@ -81,6 +81,8 @@ main() {
   for set in "$@"; do
     if [[ $set == test || $set == verify ]]; then
       install_python requirements-test
+    elif [[ $set == docs ]]; then
+      install_python requirements-docs
     fi
   done
 }

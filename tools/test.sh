@@ -8,7 +8,7 @@ source "$(dirname "$0")/stages.sh"
 # the package take it with its extension, as the build left it.
 python_tests() {
   local name report package
-  for name in tools python cli reference package; do
+  for name in tools python cli reference package docs; do
     report=build/python-$name.xml
     package=$PWD/python
     if [[ $name == package ]]; then
@@ -32,7 +32,7 @@ fuzz_tests() {
   done
 }
 
-tools/setup.sh build test
+tools/setup.sh build test docs
 say "building with warnings as errors"
 if ! configure_and_build developer; then
   failed=1
@@ -42,6 +42,7 @@ if ! configure_and_build developer; then
 fi
 unit_tests developer
 python_tests
+check "documentation" env PERCOLITH_PACKAGE="$PWD/build/developer/python" tools/docs.sh
 check "format" tools/format.sh
 check "dependencies of the rooms" .venv/bin/python tools/check_rooms.py
 check "licence lines" .venv/bin/python tools/check_sources.py licence
