@@ -71,6 +71,17 @@ private:
   std::vector<double> pressure_, saturation_;
 };
 
+/// A sentence with a space before it, or nothing where nothing broke.
+std::string place_of_last_break(const mechanics::Model& rock, const mechanics::Changes& changes) {
+  if (changes.broke.empty()) {
+    return {};
+  }
+  const auto& ends = rock.mesh.joint[at(changes.broke.back().joint)].vertex;
+  const Point middle = 0.5 * (rock.mesh.vertex[at(ends[0])] + rock.mesh.vertex[at(ends[1])]);
+  return fmt::format(" Of the {} joints that broke the last lies at ({:.3g}, {:.3g}).",
+                     changes.broke.size(), middle.x, middle.y);
+}
+
 }  // namespace
 
 QuasiStatic::QuasiStatic(CoupledModel& model, const QuasiStaticOptions& options)
@@ -248,6 +259,9 @@ void QuasiStatic::relax(Execution& execution) {
   case Pace::swinging:
     swing_to_rest(execution);
     break;
+  case Pace::settling:
+    settle(execution);
+    break;
   }
   relaxation_.end();
 }
@@ -291,10 +305,20 @@ void QuasiStatic::swing_to_rest(Execution& execution) {
       return;
     }
   }
-  if (broke_) {
-    pace_ = Pace::following;
-    calm_ = 0;
+  follow_or(Pace::settling);
+}
+
+/// What motion has brought near to rest goes the last, slow part of the way as a whole.
+void QuasiStatic::settle(Execution& execution) {
+  pull_to_rest(execution);
+  if (!is_at_rest_) {
+    follow_or(Pace::swinging);
   }
+}
+
+void QuasiStatic::follow_or(Pace other) {
+  pace_ = broke_ ? Pace::following : other;
+  calm_ = 0;
 }
 
 /// Takes over what a step of the relaxation changed.
@@ -380,13 +404,14 @@ void QuasiStatic::refuse(double dt, const Ending& ending) const {
           ? "A rock that breaks through suddenly has none: time.scheme = \"explicit\" follows it"
       : is_at_rest_ ? "Raise time.tolerance or lower time.balance_tolerance"
                     : "Forces that stay out of balance want a higher time.balance_tolerance";
+  const std::string last = place_of_last_break(model_->rock.model(), changes_);
   throw SolverError(fmt::format(
       "rock and fluid find no common state at time {:.9g} s even with a step of {:.3g} s; the "
       "results up to the last output are kept. The pressures are still {:.2g} of the largest "
       "away, allowed: {:g} (time.tolerance); the unbalanced force is {:.2g} of that to be "
-      "balanced, allowed: {:g} (time.balance_tolerance). {}",
+      "balanced, allowed: {:g} (time.balance_tolerance).{} {}",
       time_, dt, ending.distance, options_.pressure_tolerance, unbalanced_ratio(),
-      options_.balance_tolerance, way_out));
+      options_.balance_tolerance, last, way_out));
 }
 
 /// Volumes follow the rock; pressures stay as the flow found them.

@@ -42,6 +42,9 @@ public:
   [[nodiscard]] int parts() const override { return parts_; }
 
 private:
+  /// How the rock goes to rest: as a whole; in damped motion; in a few steps of it at a time, while
+  /// cracks run; as a whole once more where motion did not come to its end.
+  enum class Pace { pulling, swinging, following, settling };
   /// What a step that is given up or tried again goes back to.
   struct Moment {
     std::string state;  // of rock, water and scheme
@@ -63,6 +66,9 @@ private:
   void pull_to_rest(Execution& execution);
   void follow_cracks(Execution& execution);
   void swing_to_rest(Execution& execution);
+  void settle(Execution& execution);
+  /// Follows cracks where some have run, otherwise goes on at the pace `other`.
+  void follow_or(Pace other);
   void take(mechanics::Changes changes, Execution& execution);
   [[nodiscard]] double force_to_balance() const;
   [[nodiscard]] double unbalanced_ratio() const;
@@ -91,9 +97,6 @@ private:
   int iterations_ = 0;
   int parts_ = 0;
   double softness_ = 1.0;  // factor on the compliance of cracks
-  /// How the rock goes to rest: as a whole; in damped motion; in a few steps of it at a time, while
-  /// cracks run.
-  enum class Pace { pulling, swinging, following };
   Pace pace_ = Pace::pulling;
   int calm_ = 0;  // iterations since something broke
   // Of the last relaxation: whether rock broke in it, and whether it came to its end.

@@ -7,6 +7,7 @@
 #include "percolith/simulation/build_model.hpp"
 #include "percolith/simulation/leak_off.hpp"
 #include "percolith/simulation/mesh_report.hpp"
+#include "percolith/simulation/pumped_mouths.hpp"
 
 #include <fmt/format.h>
 
@@ -57,6 +58,8 @@ std::vector<std::string> model_warnings(const Setup& setup, const seepage::Model
       }
     }
   }
+  const auto mouths = pumped_mouth_warnings(setup, model.mesh);
+  warnings.insert(warnings.end(), mouths.begin(), mouths.end());
   const auto leaks = leak_off_warnings(setup, model);
   warnings.insert(warnings.end(), leaks.begin(), leaks.end());
   return warnings;

@@ -235,4 +235,32 @@ TEST(LeakOff, CountsTheStorageOfRockThatDeforms) {
 }
 
 }  // namespace
+/// A fracture that a pump feeds and that reaches a wall with a pressure of its own.
+Setup notched() {
+  simulation::Setup setup = leaking(1.0);
+  setup.fracture["level"].groups = {"upright"};
+  setup.boundary["hole"].groups = {"top"};
+  setup.boundary["hole"].normal_pressure = Schedule::constant(2e6);
+  return setup;
+}
+
+TEST(PumpedMouth, IsWarnedOfWhereTheOpeningKeepsAPressureOfItsOwn) {
+  EXPECT_THAT(warnings_of(notched(), test::plain_mesh()),
+              Contains(AllOf(StartsWith("fracture.level, which source.pump pumps into, ends on "
+                                        "boundary.hole at (0.5, 1), but the fluid there keeps to "
+                                        "boundary.hole.normal_pressure"),
+                             HasSubstr("pressurised = true instead of the source"))));
+}
+
+TEST(PumpedMouth, IsNotWarnedOfElsewhere) {
+  simulation::Setup setup = notched();
+  setup.source["pump"].fractures.clear();
+  setup.source["pump"].point = {{0.5, 0.75}};
+  setup.source["pump"].into = Domain::crack;
+  EXPECT_THAT(warnings_of(setup, test::plain_mesh()), Each(Not(HasSubstr("pumps into"))));
+  setup = notched();
+  setup.boundary["hole"].normal_pressure.reset();
+  EXPECT_THAT(warnings_of(setup, test::plain_mesh()), Each(Not(HasSubstr("pumps into"))));
+}
+
 }  // namespace percolith::simulation
