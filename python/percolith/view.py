@@ -9,10 +9,18 @@ from dataclasses import dataclass
 import numpy as np
 
 from percolith.colour_range import ColourRange
+from percolith.crack_fields import CRACK_FIELDS, range_of_cracks, shown_values
 from percolith.deformation import can_deform, deformed_points
 from percolith.exaggeration import automatic_scale
 from percolith.flow_fields import FIELDS, crack_values, rock_and_crack_ranges, rock_values
-from percolith.mechanics_fields import range_of_values, rock_and_bodies, values_of
+from percolith.mechanics_fields import (
+    is_category,
+    other_fields,
+    range_of_values,
+    rock_and_bodies,
+    values_of,
+)
+from percolith.overlays import Overlays, arrow_size, cross_size
 from percolith.run_directory import Frame, RunDirectory
 from percolith.vtu import Grid
 from percolith.window import check_shows, visible
@@ -30,9 +38,11 @@ class View:
     rock: ColourRange | None  # None where a colour is no value, as of fragments
     cracks: ColourRange | None  # None where cracks have the colours of the rock, or none
     modes: tuple[int, ...]  # of the field `mode` that occur
-    shows_modes: bool  # whether cracks are told apart by their mode whatever the field
+    crack_colours: str  # what cracks are coloured by: `mode`, a quantity of theirs, `thin`, `none`
     colours: int  # number of different ones
     is_part: bool = False  # whether the window was asked for, and may cut the model
+    cross: float | None = None  # stress (Pa) that the longest cross stands for; None without them
+    arrow: float | None = None  # Darcy flux (m/s) of the longest arrow; None without them
 
     @property
     def step(self) -> float:
@@ -56,14 +66,18 @@ def _modes(frame: Frame) -> set[int]:
     return set(np.unique(frame.cracks.cell_data["mode"]).tolist())
 
 
-def _ranges(field: str, rock: list[np.ndarray], cracks: list[np.ndarray],
-            deforms: bool) -> tuple[ColourRange | None, ColourRange | None]:
-    if field == "fragments":
-        return None, None
-    joined = np.concatenate(rock)
+def _ranges(field: str, array: str, rock: list[np.ndarray], cracks: list[np.ndarray],
+            crack_colours: str, deforms: bool) -> tuple[ColourRange | None, ColourRange | None]:
+    joined, of_cracks = np.concatenate(rock), np.concatenate(cracks)
+    if field in FIELDS and crack_colours == field:
+        return rock_and_crack_ranges(field, joined, of_cracks, deforms)
+    has_values = crack_colours in CRACK_FIELDS
+    second = range_of_cracks(crack_colours, of_cracks) if has_values else None
     if field in FIELDS:
-        return rock_and_crack_ranges(field, joined, np.concatenate(cracks), deforms)
-    return range_of_values(field, joined), None
+        return rock_and_crack_ranges(field, joined, np.empty(0), deforms)[0], second
+    if is_category(joined):
+        return None, second
+    return range_of_values(field, joined, array), second
 
 
 def shown_parts(run: RunDirectory, frame: Frame, view: View) -> tuple[Frame, Grid | None]:
@@ -83,46 +97,57 @@ def _scale(run: RunDirectory, frames: Sequence[Callable[[], Frame]],
 
 def view_of(run: RunDirectory, frames: Sequence[Callable[[], Frame]], field: str,
             scale: float | None = None, shows_modes: bool = False, colours: int = STILL,
-            window: np.ndarray | None = None) -> View:
+            window: np.ndarray | None = None, overlays: Overlays | None = None) -> View:
     """The view of a field that suits all frames, which `frames` read one after the other. `scale`
-    multiplies the displacements; None stands for `automatic_scale`. `window` (2, 2) is what is to
-    be shown, in m; None stands for all. Raises RunDirectoryError where there is no such field, or
-    nothing in the window."""
+    multiplies the displacements; None stands for `automatic_scale`. `shows_modes` tells cracks
+    apart by their mode where `overlays` leave that open. `window` (2, 2) is what is to be shown, in
+    m; None stands for all. Raises RunDirectoryError where there is no such field, or nothing in the
+    window."""
     if scale is None:
         scale = _scale(run, frames, window)
-    ends, rock, cracks, modes, count = [], [], [], set(), 0
+    overlays = overlays or Overlays()
+    crack_colours = overlays.colours_of_cracks(field, shows_modes)
+    crosses, arrows = [], []
+    ends, rock, cracks, modes, count, deforms, array = [], [], [], set(), 0, False, ""
     for read in frames:
         frame = read()
         points = deformed_points(frame.matrix, scale)
         ends.append([points.min(axis=0), points.max(axis=0)])
         deforms = can_deform(frame.matrix)
+        array = other_fields(frame.matrix).get(field, field)
         frame, _ = split(run, frame)
         frame = frame if window is None else visible(frame, scale, window)
         count += len(frame.matrix.cells)
         modes |= _modes(frame)
-        if field in FIELDS:
-            rock.append(rock_values(frame, field))
-            cracks.append(crack_values(frame, field))
-        else:
-            rock.append(values_of(frame, field))
+        rock.append(rock_values(frame, field) if field in FIELDS else values_of(frame, field))
+        same = field in FIELDS and crack_colours == field
+        cracks.append((crack_values if same else shown_values)(frame, crack_colours))
+        if overlays.has_crosses(field, crack_colours):
+            crosses.append(cross_size(frame, field))
+        if overlays.has_arrows(field):
+            arrows.append(arrow_size(frame))
     low, high = np.array(ends).transpose(1, 0, 2)
     whole = np.stack([low.min(axis=0), high.max(axis=0)])
     if window is not None:
         check_shows(count, window, whole)
-    of_rock, of_cracks = _ranges(field, rock, cracks, deforms)
+    of_rock, of_cracks = _ranges(field, array, rock, cracks, crack_colours, deforms)
     return View(whole if window is None else window, scale, of_rock, of_cracks,
-                tuple(sorted(modes)), shows_modes, colours, window is not None)
+                tuple(sorted(modes)), crack_colours, colours, window is not None,
+                max(crosses, default=None), max(arrows, default=None))
 
 
 def view_of_frame(run: RunDirectory, frame: Frame, field: str, scale: float | None = None,
-                  shows_modes: bool = False, window: np.ndarray | None = None) -> View:
+                  shows_modes: bool = False, window: np.ndarray | None = None,
+                  overlays: Overlays | None = None) -> View:
     """The view of one picture."""
-    return view_of(run, [lambda: frame], field, scale, shows_modes, window=window)
+    return view_of(run, [lambda: frame], field, scale, shows_modes, window=window,
+                   overlays=overlays)
 
 
 def view_of_times(run: RunDirectory, times: Sequence[float], field: str,
                   scale: float | None = None, shows_modes: bool = False,
-                  colours: int = STILL, window: np.ndarray | None = None) -> View:
+                  colours: int = STILL, window: np.ndarray | None = None,
+                  overlays: Overlays | None = None) -> View:
     """The view of the frames at these times (s)."""
     frames = [lambda time=time: run.frame(time) for time in times]
-    return view_of(run, frames, field, scale, shows_modes, colours, window)
+    return view_of(run, frames, field, scale, shows_modes, colours, window, overlays)
