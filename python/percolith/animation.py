@@ -4,7 +4,9 @@ colours and the same factor of the displacements."""
 
 from __future__ import annotations
 
+import errno
 import io
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -28,6 +30,7 @@ _FEWEST_FRAMES = 24  # that a file which is too large is thinned to before its p
 _RESOLUTION, _VIDEO_RESOLUTION = 80, 120  # dots per inch
 _DURATION = 8000  # ms that all pictures take together, where each then stays
 _SHORTEST, _LONGEST = 80, 500  # ms
+_SHORTEST_OF_VIDEO = 40  # ms
 _SAMPLED = 5  # pictures that the set of colours is made from
 _ALMOST_WHITE = 244
 _LAST = 2000  # ms that the last picture stays
@@ -69,9 +72,9 @@ def _palette(images: list[Image.Image]) -> Image.Image:
     return palette
 
 
-def duration(count: int) -> int:
+def duration(count: int, shortest: int = _SHORTEST) -> int:
     """How long (ms) each of so many pictures stays."""
-    return int(np.clip(_DURATION / count, _SHORTEST, _LONGEST))
+    return int(np.clip(_DURATION / count, shortest, _LONGEST))
 
 
 def _encode(images: list[Image.Image]) -> bytes:
@@ -107,6 +110,8 @@ def _check(run: RunDirectory, options: MapOptions, path: Path) -> None:
     if path.suffix.lower() not in FORMATS:
         raise RunDirectoryError(f"{path}: an animation is a GIF or an MP4; allowed: FILE.gif, "
                                 "FILE.mp4")
+    if not path.parent.is_dir():
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(path))
     if path.suffix.lower() == ".mp4":
         require_encoder()
     options.check(run)
@@ -133,7 +138,7 @@ def draw_animation(run: RunDirectory, field: str | None = None, path: Path | Non
         view = options.view_of_all(run, run.times, field, run.has_mechanics, STILL)
         pictures: Iterator[Image.Image] = (_image(run, time, field, view, _VIDEO_RESOLUTION)
                                            for time in run.times)
-        write_video(path, pictures, duration(len(run.times)), _LAST)
+        write_video(path, pictures, duration(len(run.times), _SHORTEST_OF_VIDEO), _LAST)
         return path
     times = thinned(run.times, MOST_FRAMES)
     view = options.view_of_all(run, times, field, run.has_mechanics, ANIMATED)

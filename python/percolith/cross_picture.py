@@ -32,7 +32,7 @@ def cross_handles(longest: float) -> list[Line2D]:
     size = format_value(longest, pressure_scale([longest]))
     return [Line2D([], [], color=_TENSION, linewidth=2.2, label="tension"),
             Line2D([], [], color=_COMPRESSION, linewidth=2.2, label="compression"),
-            Line2D([], [], linestyle="none", label=f"longest cross {size}")]
+            Line2D([], [], linestyle="none", label=f"longest cross: {size}")]
 
 
 def draw_crosses(axes, frame: Frame, points: np.ndarray, longest: float) -> None:
@@ -66,7 +66,7 @@ def arrow_handles(longest: float) -> list[Line2D]:
     """Entry of the legend, with the flux (m/s) of the longest arrow."""
     size = format_value(longest, power_scale([longest], "m/s"))
     return [Line2D([], [], linestyle="none", marker=r"$\rightarrow$", markersize=13,
-                   color=_ARROW_EDGE, label=f"Darcy flux, longest arrow {size}")]
+                   color=_ARROW_EDGE, label=f"longest arrow: {size}")]
 
 
 def draw_arrows(axes, frame: Frame, points: np.ndarray, longest: float) -> None:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 
 import matplotlib.pyplot as plt
@@ -14,7 +15,7 @@ from percolith.view import View
 
 _LEGEND_ROW = 0.3  # inches below the picture
 _LETTER, _HANDLE = 0.078, 0.55  # inches of a small letter, and of what stands before a label
-_BAR = 0.9  # inches for a second colour bar
+_BAR = 1.2  # inches for a second colour bar
 
 
 class ModelFigure:
@@ -52,12 +53,10 @@ class ModelFigure:
         """A legend below the picture, in as many rows as the figure needs, which grows by them."""
         if not handles:
             return
-        widest = max(len(handle.get_label()) for handle in handles)
-        width = self.axes.get_window_extent().width / self.figure.dpi if self._is_part else (
-            self.figure.get_figwidth())
-        most = max(1, int(width / (_LETTER * widest + _HANDLE)))
-        rows = -(-len(handles) // most)
-        columns = -(-len(handles) // rows)
+        place = self.axes.get_subplotspec() if self._is_part else None
+        width = self.figure.get_figwidth() / (place.get_gridspec().ncols if place else 1)
+        columns = fitting_columns([handle.get_label() for handle in handles], width)
+        rows = -(-len(handles) // columns)
         if self._is_part:
             self.axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.16),
                              ncols=columns, frameon=False, fontsize="small")
@@ -65,6 +64,15 @@ class ModelFigure:
         self.figure.set_figheight(self.figure.get_figheight() + rows * _LEGEND_ROW)
         self.figure.legend(handles=handles, loc="outside lower center", ncols=columns,
                            frameon=False, fontsize="small")
+
+
+def fitting_columns(labels: list[str], width: float) -> int:
+    """Into how many columns entries of a legend go on a width (inches)."""
+    lengths = [_LETTER * len(re.sub(r"[$^{}]", "", label)) + _HANDLE for label in labels]
+    for rows in range(1, len(labels)):
+        if sum(max(lengths[i:i + rows]) for i in range(0, len(lengths), rows)) <= width:
+            return -(-len(labels) // rows)
+    return 1
 
 
 def moment(run: RunDirectory, frame: Frame) -> str:

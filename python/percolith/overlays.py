@@ -55,11 +55,19 @@ def check_overlays(run: RunDirectory, overlays: Overlays) -> None:
         raise RunDirectoryError("--arrows shows the Darcy flux, and this is a run of mechanics")
     if overlays.cracks in ("auto", "thin", "none"):
         return
-    cracks = run.last_cracks
-    if cracks is not None and not has_crack_field(cracks, overlays.cracks):
-        known = [name for name in ("mode", *CRACK_FIELDS) if has_crack_field(cracks, name)]
+    known = _quantities_of_cracks(run)
+    if overlays.cracks not in known:
         raise RunDirectoryError(f"--cracks = {overlays.cracks}: the cracks of this run have none; "
                                 f"they have: {', '.join(known)}")
+
+
+def _quantities_of_cracks(run: RunDirectory) -> list[str]:
+    """What cracks of this run can be coloured by; where none has appeared, what they would have."""
+    cracks, names = run.last_cracks, ("mode", *CRACK_FIELDS)
+    if cracks is not None:
+        return [name for name in names if has_crack_field(cracks, name)]
+    of_fluid = [name for name, field in CRACK_FIELDS.items() if field.which == "wet"]
+    return [name for name in names if (run.has_flow if name in of_fluid else run.has_mechanics)]
 
 
 def cross_size(frame: Frame, field: str) -> float:
