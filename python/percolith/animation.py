@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws a field over time as one animated GIF or MP4. All its pictures have the same window, the same
-colours and the same factor of the displacements."""
+"""Draws a field over time as one animated GIF or MP4. All its pictures have the same window, the
+same colours and the same factor of the displacements."""
 
 from __future__ import annotations
 

@@ -28,9 +28,9 @@ def decompressor() -> tuple[Callable[[memoryview, int], bytes], tuple[type[Excep
 
 
 def unpack(data: memoryview, offset: int) -> np.ndarray:
-    """The bytes of the array at an offset, stored as number of blocks, their size, size of a partial
-    last one, compressed sizes, and the blocks. Both decompressors leave the interpreter's lock, so
-    that blocks go in parallel. Raises ValueError where the array is damaged."""
+    """The bytes of the array at an offset, stored as number of blocks, their size, size of a
+    partial last one, compressed sizes, and the blocks. Both decompressors leave the interpreter's
+    lock, so that blocks go in parallel. Raises ValueError where the array is damaged."""
     blocks, size, rest = (int(n) for n in np.frombuffer(data, "<u8", 3, offset))
     packed = np.frombuffer(data, "<u8", blocks, offset + 24).astype(np.int64)
     start = offset + 24 + 8 * blocks

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws a map: one field of one frame on the deformed shape, with cracks, crosses of the principal
-stresses and arrows of the flux over it. Cracks have the colours of the rock where they show the same
-quantity, and colours of their own elsewhere."""
+stresses and arrows of the flux over it. Cracks have the colours of the rock where they show the
+same quantity, and colours of their own elsewhere."""
 
 from __future__ import annotations
 

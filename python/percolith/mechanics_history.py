@@ -37,9 +37,9 @@ def _visible(history: Table, curves: dict[str, str]) -> dict[str, str]:
 
 
 def force_scale(run: RunDirectory) -> float:
-    """The force (N/m) that goes with the strain energy W of a run, sqrt(2 E W): stress sqrt(2 E W/A)
-    on the width sqrt(A) of the area A that it is in. E is the largest Young's modulus; 0 where
-    nothing has one."""
+    """The force (N/m) that goes with the strain energy W of a run, sqrt(2 E W): stress
+    sqrt(2 E W/A) on the width sqrt(A) of the area A that it is in. E is the largest Young's
+    modulus; 0 where nothing has one."""
     moduli = [table.get("young_modulus") for table in run.resolved.get("material", {}).values()]
     stiffest = max((value for value in moduli if isinstance(value, float | int)), default=0.0)
     energy = np.nanmax(np.abs(run.history["elastic_J_per_m"]), initial=0.0)

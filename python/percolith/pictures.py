@@ -128,8 +128,8 @@ def _draw_fields(run: RunDirectory, field: str | None, time: float | str, output
 
 
 def history_of(run: RunDirectory, of: str | None = None):
-    """The figure of the history of the `rock` or the `fluid`; None stands for the one there is, of a
-    coupled run that of the rock. Raises RunDirectoryError where there is none."""
+    """The figure of the history of the `rock` or the `fluid`; None stands for the one there is, of
+    a coupled run that of the rock. Raises RunDirectoryError where there is none."""
     known = ["rock"] * run.has_mechanics + ["fluid"] * (run.has_flow and not run.is_steady)
     if not known:
         raise RunDirectoryError(f"{run.path}: a steady run has no history")

@@ -49,12 +49,12 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--arrows", action="store_true",
                         help="draw arrows of the Darcy flux over the field")
     parser.add_argument("--scale", default="auto",
-                        help="of mechanics: factor of the displacements, or auto (default): 1 where "
-                        "they are as large as the triangles, otherwise so that they can just be "
-                        "seen and close no opening")
+                        help="of mechanics: factor of the displacements, or auto (default): 1 "
+                        "where they are as large as the triangles, otherwise so that they can "
+                        "just be seen and close no opening")
     parser.add_argument("--window", nargs=4, metavar=("X0", "X1", "Y0", "Y1"),
-                        help="show only this part of maps, from X0 to X1 and from Y0 to Y1 in m, in "
-                        "colours that suit what is seen")
+                        help="show only this part of maps, from X0 to X1 and from Y0 to Y1 in m, "
+                        "in colours that suit what is seen")
     parser.add_argument("--reference", type=Path, action="append", default=[], metavar="FILE.csv",
                         help="draw the values of this table as markers over the probes; may be "
                         "given several times")

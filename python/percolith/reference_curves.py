@@ -140,11 +140,12 @@ def _value(file: LocatedTable, line: int, name: str, cell: str, probe: str, tabl
     return file.number(line, name, cell, may_be_empty=True)
 
 
-def read_reference(path: str | os.PathLike, run: RunDirectory, number: int = 0) -> list[ReferenceCurve]:
-    """The curves of a CSV file with a line of names: quantities called as in the tables of the probes,
-    in SI units; `time_s`; `distance_m` along the line of a probe, or `x_m` and `y_m`; `probe` where
-    the run has several and the file is not called after one of them. Lines that begin with # are
-    comments, cells may be empty. Without `time_s` values along a line belong to the last time.
+def read_reference(path: str | os.PathLike, run: RunDirectory,
+                   number: int = 0) -> list[ReferenceCurve]:
+    """The curves of a CSV file with a line of names: quantities called as in the tables of the
+    probes, in SI units; `time_s`; `distance_m` along the line of a probe, or `x_m` and `y_m`;
+    `probe` where the run has several and the file is not called after one of them. Lines that begin
+    with # are comments, cells may be empty. Without `time_s` values along a line belong to the last time.
     `number` tells files apart. Raises CaseError with FILE:LINE of all mistakes."""
     file = LocatedTable(path)
     if not run.probe_names:
@@ -177,7 +178,8 @@ def _curves(number: int, name: str, points: dict) -> list[ReferenceCurve]:
         x, values = np.array(pairs).T
         known = np.isfinite(values)
         if known.any():
-            curves.append(ReferenceCurve(number, name, probe, column, time, x[known], values[known]))
+            curves.append(ReferenceCurve(number, name, probe, column, time, x[known],
+                                         values[known]))
     return curves
 
 
