@@ -7,6 +7,8 @@ import ast
 
 from site_map import ROOT
 
+# Classes whose members stand in a base class of their own.
+WITH_BASES = {"RunDirectory"}
 GROUPS = {
     "Cases": ["Case", "describe", "option_names", "Option", "quantity"],
     "Runs": ["Simulation", "resume", "sweep", "Sweep"],
@@ -27,6 +29,8 @@ def exported(file: str) -> list[str]:
 def entry(module: str, name: str) -> str:
     kind = "autoclass" if name[0].isupper() else "autofunction"
     members = "\n   :members:\n   :undoc-members:" if kind == "autoclass" else ""
+    if name in WITH_BASES:
+        members += "\n   :inherited-members:"
     return f"```{{eval-rst}}\n.. {kind}:: {module}.{name}{members}\n```\n\n"
 
 

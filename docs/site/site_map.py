@@ -14,8 +14,8 @@ import source_tree  # noqa: E402
 
 # Pages that are made when the site is built have no file in the repository.
 GUIDE = ["docs/start.md", "docs/concepts.md", "docs/case-file.md", "docs/choosing.md",
-         "docs/options.md", "docs/run-directory.md", "docs/python.md", "python-reference",
-         "docs/troubleshooting.md"]
+         "docs/options.md", "docs/run-directory.md", "docs/pictures.md", "docs/python.md",
+         "python-reference", "docs/troubleshooting.md"]
 THEORY = ["docs/theory.md", "docs/equations.md"]
 PROJECT = ["docs/performance.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "decisions/index",
            "CHANGELOG.md", "BASELINES.md"]

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws a field over time as one animated GIF. All its pictures have the same window, the same
-colours and the same factor of the displacements."""
+"""Draws a field over time as one animated GIF or MP4. All its pictures have the same window, the
+same colours and the same factor of the displacements."""
 
 from __future__ import annotations
 
+import errno
 import io
+import os
+from collections.abc import Iterator
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -13,19 +16,21 @@ from matplotlib.colors import to_rgb
 from PIL import Image
 
 from percolith.crack_picture import MODES
-from percolith.field_picture import field_figure
-from percolith.flow_fields import FIELDS
-from percolith.mechanics_picture import mechanics_figure
-from percolith.pictures import check_field, check_scale
+from percolith.map_picture import map_axes
+from percolith.overlays import Overlays
+from percolith.pictures import MapOptions, check_field
 from percolith.run_directory import RunDirectory, RunDirectoryError
-from percolith.view import ANIMATED, View, view_of_times
+from percolith.video import require_encoder, write_video
+from percolith.view import ANIMATED, STILL, View
 
-MOST_FRAMES = 60
+FORMATS = (".gif", ".mp4")
+MOST_FRAMES = 60  # of a GIF
 LARGEST_FILE = 3_000_000  # bytes
 _FEWEST_FRAMES = 24  # that a file which is too large is thinned to before its pictures shrink
-_RESOLUTION = 80  # dots per inch
+_RESOLUTION, _VIDEO_RESOLUTION = 80, 120  # dots per inch
 _DURATION = 8000  # ms that all pictures take together, where each then stays
 _SHORTEST, _LONGEST = 80, 500  # ms
+_SHORTEST_OF_VIDEO = 40  # ms
 _SAMPLED = 5  # pictures that the set of colours is made from
 _ALMOST_WHITE = 244
 _LAST = 2000  # ms that the last picture stays
@@ -41,11 +46,9 @@ def thinned(entries: list, most: int) -> list:
     return [entries[i] for i in np.unique(numbers)]
 
 
-def _image(run: RunDirectory, time: float, field: str, view: View) -> Image.Image:
-    frame = run.frame(time)
-    draw = field_figure if field in FIELDS else mechanics_figure
-    figure = draw(run, frame, field, view)
-    figure.set_dpi(_RESOLUTION)
+def _image(run: RunDirectory, time: float, field: str, view: View, resolution: int) -> Image.Image:
+    figure = map_axes(run, run.frame(time), field, view).figure
+    figure.set_dpi(resolution)
     figure.canvas.draw()
     pixels = np.asarray(figure.canvas.buffer_rgba())[:, :, :3]
     plt.close(figure)
@@ -69,13 +72,17 @@ def _palette(images: list[Image.Image]) -> Image.Image:
     return palette
 
 
+def duration(count: int, shortest: int = _SHORTEST) -> int:
+    """How long (ms) each of so many pictures stays."""
+    return int(np.clip(_DURATION / count, shortest, _LONGEST))
+
+
 def _encode(images: list[Image.Image]) -> bytes:
     palette = _palette(images)
     flat = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
-    each = int(np.clip(_DURATION / len(flat), _SHORTEST, _LONGEST))
     file = io.BytesIO()
     flat[0].save(file, format="GIF", save_all=True, append_images=flat[1:], loop=0, optimize=False,
-                 duration=[each] * (len(flat) - 1) + [_LAST])
+                 duration=[duration(len(flat))] * (len(flat) - 1) + [_LAST])
     return file.getvalue()
 
 
@@ -98,23 +105,42 @@ def encode(images: list[Image.Image], largest: int = LARGEST_FILE) -> bytes:
     return content
 
 
-def draw_animation(run: RunDirectory, field: str | None = None, path: Path | None = None,
-                   scale: float | None = None, window: np.ndarray | None = None) -> Path:
-    """Writes the frames of `field` as a GIF to `path`, or to FIELD.gif in the run directory, and
-    returns where. Without `field` it is the pressure of a run with flow, else the first principal
-    stress. Cracks have the colours of their pressure in pictures of flow, and else of their mode.
-    `scale` multiplies the displacements; None stands for one that suits all frames. `window`
-    gives lower left and upper right end (2, 2) of what is shown, in m; None stands for all. Raises
-    RunDirectoryError where the run has no such field, nothing in the window, or fewer than two
-    frames."""
-    field = field or default_field(run)
-    check_field(run, field)
-    check_scale(run, scale)
+def _check(run: RunDirectory, options: MapOptions, path: Path) -> None:
+    """Refuses what cannot be drawn before anything is."""
+    if path.suffix.lower() not in FORMATS:
+        raise RunDirectoryError(f"{path}: an animation is a GIF or an MP4; allowed: FILE.gif, "
+                                "FILE.mp4")
+    if not path.parent.is_dir():
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(path))
+    if path.suffix.lower() == ".mp4":
+        require_encoder()
+    options.check(run)
     if len(run.times) < 2:
         raise RunDirectoryError(f"{run.path}: an animation needs two frames; the case can ask for "
                                 "them by output.interval or output.times")
+
+
+def draw_animation(run: RunDirectory, field: str | None = None, path: Path | None = None,
+                   scale: float | None = None, window: np.ndarray | None = None,
+                   overlays: Overlays | None = None) -> Path:
+    """Writes the frames of `field` to `path`, a GIF or an MP4 by its ending, or to FIELD.gif in the
+    run directory, and returns where. Without `field` it is the pressure of a run with flow, else
+    the first principal stress. Without `overlays` cracks have the colours of their pressure in
+    pictures of flow, and else of their mode. `scale` multiplies the displacements; None stands for
+    one that suits all frames. `window` gives lower left and upper right end (2, 2) of what is
+    shown, in m; None stands for all. Raises RunDirectoryError where the run has no such field,
+    nothing in the window, or fewer than two frames, and where nothing encodes an MP4."""
+    field = check_field(run, field or default_field(run))
+    options = MapOptions(scale, window, overlays or Overlays())
+    path = Path(path) if path else run.path / f"{field}.gif"
+    _check(run, options, path)
+    if path.suffix.lower() == ".mp4":
+        view = options.view_of_all(run, run.times, field, run.has_mechanics, STILL)
+        pictures: Iterator[Image.Image] = (_image(run, time, field, view, _VIDEO_RESOLUTION)
+                                           for time in run.times)
+        write_video(path, pictures, duration(len(run.times), _SHORTEST_OF_VIDEO), _LAST)
+        return path
     times = thinned(run.times, MOST_FRAMES)
-    view = view_of_times(run, times, field, scale, run.has_mechanics, ANIMATED, window)
-    path = path or run.path / f"{field}.gif"
-    path.write_bytes(encode([_image(run, time, field, view) for time in times]))
+    view = options.view_of_all(run, times, field, run.has_mechanics, ANIMATED)
+    path.write_bytes(encode([_image(run, time, field, view, _RESOLUTION) for time in times]))
     return path

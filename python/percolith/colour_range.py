@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import matplotlib.pyplot as plt
+import numpy as np
 
 from percolith.units import Scale
 
@@ -31,3 +33,18 @@ def widened(low: float, high: float) -> tuple[float, float]:
     if high - low <= 1e-12 * max(abs(low), abs(high)):
         return low - 0.5 * (abs(low) or 1.0), high + 0.5 * (abs(high) or 1.0)
     return low, high
+
+
+def beyond_which(below: bool, above: bool) -> str:
+    """At which ends there are values beyond."""
+    return ("both" if above else "min") if below else ("max" if above else "neither")
+
+
+def cut_range(values: np.ndarray, cut: float, scale: Callable[[list[float]], Scale]) -> ColourRange:
+    """Ends beyond which lie at most `cut` per cent of the values on either side. At least one value
+    must be finite."""
+    values = values[np.isfinite(values)]
+    least, low, high, most = np.percentile(values, [0.0, cut, 100.0 - cut, 100.0]).tolist()
+    beyond = beyond_which(least < low, most > high)
+    low, high = widened(low, high)
+    return ColourRange(low, high, scale([low, high]), beyond)

@@ -12,6 +12,7 @@ import numpy as np
 
 from percolith.history_picture import draw_curves
 from percolith.run_directory import RunDirectory, Table
+from percolith.saving import save
 from percolith.units import Scale, length_scale, power_scale, pressure_scale, time_scale
 
 _PRESSURE, _VOLUME = ".pressure_Pa", ".volume_m2"
@@ -53,9 +54,8 @@ def _panels(history: Table) -> list[tuple[dict[str, str], Scale, str]]:
     return panels
 
 
-def draw_crack_growth(run: RunDirectory, path: Path) -> Path | None:
-    """Writes a panel a quantity to `path` and returns it. None, and no file, in a run whose history
-    has none of them."""
+def crack_growth_figure(run: RunDirectory):
+    """A figure with a panel a quantity. None in a run whose history has none of them."""
     history = run.history
     panels = _panels(history)
     if not panels:
@@ -74,6 +74,10 @@ def draw_crack_growth(run: RunDirectory, path: Path) -> Path | None:
     for axes in grid.flat[len(panels):]:
         axes.set_visible(False)
     figure.suptitle(run.title, fontsize=11)
-    figure.savefig(path, dpi=120)
-    plt.close(figure)
-    return path
+    return figure
+
+
+def draw_crack_growth(run: RunDirectory, path: Path) -> Path | None:
+    """Writes the figure to `path` and returns it. None, and no file, where there is none."""
+    figure = crack_growth_figure(run)
+    return save(figure, path) if figure else None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws cracks over the rock: thin and dark, in the colours of a quantity of their fluid, or in the
+"""Draws cracks over the rock: thin and dark, in the colours of one of their quantities, or in the
 colour of the mode in which they broke."""
 
 from __future__ import annotations
@@ -10,11 +10,10 @@ from matplotlib.lines import Line2D
 from matplotlib.patheffects import Normal, Stroke
 
 from percolith.colours import BLACK, BLUE, GREEN, ORANGE, RED
+from percolith.crack_fields import chosen_segments, end_values
 from percolith.deformation import FROM_THE_START, can_deform, crack_faces, crack_gaps
-from percolith.flow_fields import carries_fluid, point_values
 from percolith.mechanics_fields import array_of
 from percolith.run_directory import Frame
-from percolith.view import View
 
 SOFTENING = -1  # of the field `mode`
 # Number in the field `mode`, name and colour of the joints that a picture of damage shows.
@@ -30,17 +29,17 @@ _ABOVE = 2.0  # the rock; what comes later lies on top
 
 
 def draw_thin(axes, frame: Frame, points: np.ndarray) -> None:
-    """Both faces of every broken joint, thin and dark."""
+    """Both faces of every broken joint, thin and dark; of rock at rest the fractures."""
+    if not can_deform(frame.matrix):
+        ends = frame.cracks.points[frame.cracks.cells] if frame.cracks is not None else []
+        axes.add_collection(LineCollection(ends, colors=OUTLINE, linewidths=1.2,
+                                           capstyle="round"), autolim=False)
+        return
     faces, segment, _ = crack_faces(frame)
     if len(faces):
         broken = array_of(frame.cracks.cell_data, "mode")[segment] >= 0
         axes.add_collection(LineCollection(points[faces[broken]], colors=OUTLINE,
                                            linewidths=0.7, capstyle="round"), autolim=False)
-
-
-def mode_columns(count: int) -> int:
-    """Columns of a legend with so many modes; it takes two rows at most."""
-    return 2 if count == 4 else min(3, count)
 
 
 def mode_handles(frame: Frame, modes: tuple[int, ...]) -> list[Line2D]:
@@ -92,25 +91,23 @@ def _halves(corners: np.ndarray, lines: np.ndarray) -> tuple[np.ndarray, np.ndar
                            np.stack([one, corners[:, 1], corners[:, 2], other], 1)]), cut
 
 
-def draw_filled(axes, frame: Frame, points: np.ndarray, field: str, view: View,
+def draw_filled(axes, frame: Frame, points: np.ndarray, quantity: str, factor: float,
                 colours: dict) -> None:
-    """Every crack that fluid can be in, in the colours of a quantity of flow at its points: its gap
-    as far as it can be seen, and a line."""
-    shown = view.cracks or view.rock
+    """Every crack that has a value of the quantity in the colour of that over `factor`: its gap as
+    far as it can be seen, and a line."""
     cracks = frame.cracks
     gaps, lines, segment = _shapes(frame, points)
-    wet = carries_fluid(cracks)[segment]
-    gaps, lines, segment = gaps[wet[:len(gaps)]], lines[wet], segment[wet]
+    has_value = chosen_segments(cracks, quantity)[segment]
+    gaps, lines, segment = gaps[has_value[:len(gaps)]], lines[has_value], segment[has_value]
     axes.add_collection(LineCollection(lines, colors=OUTLINE, linewidths=3.4, capstyle="round",
                                        zorder=_ABOVE), autolim=False)
     if len(gaps):
         axes.add_collection(PolyCollection(gaps, facecolors="none", edgecolors=OUTLINE,
                                            linewidths=1.4, zorder=_ABOVE), autolim=False)
-    values = point_values(cracks, field)[cracks.cells[segment]]
+    values = end_values(cracks, quantity)[segment]
     mean = values.mean(axis=1)
     # Two halves a segment, each in the colour a quarter of the way from its end.
-    values = np.concatenate([(values[:, 0] + mean) / 2, (values[:, 1] + mean) / 2])
-    values = values / shown.scale.factor
+    values = np.concatenate([(values[:, 0] + mean) / 2, (values[:, 1] + mean) / 2]) / factor
     gaps, lines = _halves(gaps, lines)
     if len(gaps):
         axes.add_collection(PolyCollection(gaps, array=values, antialiased=False, linewidths=0.0,

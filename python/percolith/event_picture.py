@@ -13,6 +13,7 @@ from percolith.b_value import BValue, b_value, reason_for_none
 from percolith.colours import BLACK, BLUE, GREEN, RED
 from percolith.outline import outline_of
 from percolith.run_directory import RunDirectory, Table
+from percolith.saving import save
 from percolith.units import prefix_scale, time_scale
 
 _MODES = {"tensile": (BLUE, "o"), "shear": (RED, "^"), "mixed": (GREEN, "s")}
@@ -119,12 +120,11 @@ def _draw_numbers(axes, events: Table) -> None:
     axes.set_ylabel("Number of events of M or more")
 
 
-def draw_events(run: RunDirectory, path: Path, window: np.ndarray | None = None) -> Path | None:
-    """Writes four panels to `path` and returns it: magnitudes over time, places, released energy,
-    and the numbers over the magnitude with the b-value. None, and no file, where no joint broke.
-    `window` gives lower left and upper right end (2, 2) of the map of places, in m; the other
-    panels count every event."""
-    events = run.events
+def events_figure(run: RunDirectory, window: np.ndarray | None = None):
+    """A figure of four panels: magnitudes over time, places, released energy, and the numbers over
+    the magnitude with the b-value. None where no joint broke. `window` gives lower left and upper
+    right end (2, 2) of the map of places, in m; the other panels count every event."""
+    events = run.events if run.has_mechanics else ()
     if not len(events):
         return None
     time = time_scale(events["time_s"])
@@ -138,6 +138,10 @@ def draw_events(run: RunDirectory, path: Path, window: np.ndarray | None = None)
     for axes in (grid[0, 0], grid[1, 0], grid[1, 1]):
         axes.grid(alpha=0.3)
     figure.suptitle(run.title, fontsize=11)
-    figure.savefig(path, dpi=120)
-    plt.close(figure)
-    return path
+    return figure
+
+
+def draw_events(run: RunDirectory, path: Path, window: np.ndarray | None = None) -> Path | None:
+    """Writes the figure to `path` and returns it. None, and no file, where no joint broke."""
+    figure = events_figure(run, window)
+    return save(figure, path) if figure else None

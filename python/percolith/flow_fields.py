@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from percolith.colour_range import ColourRange, widened
+from percolith.colour_range import ColourRange, beyond_which, widened
+from percolith.crack_fields import carries_fluid
 from percolith.run_directory import Frame, RunDirectoryError
 from percolith.units import Scale, power_scale, pressure_scale
 from percolith.vtu import Grid
@@ -46,13 +47,6 @@ def rock_values(frame: Frame, field: str) -> np.ndarray:
     return flux_size(frame) if field == "flux" else point_values(frame.matrix, field)
 
 
-def carries_fluid(cracks: Grid) -> np.ndarray:
-    """True (n,) for each crack segment that fluid can be in: all where the rock is at rest. A joint
-    past its peak that is not broken may hold none; the values at its ends mean nothing then."""
-    wet = cracks.cell_data.get("wet")
-    return np.ones(len(cracks.cells), bool) if wet is None else wet != 0
-
-
 def crack_values(frame: Frame, field: str) -> np.ndarray:
     """Values (SI) at the ends of the segments that fluid can be in; none of the flux, which is of
     another kind there."""
@@ -68,10 +62,6 @@ def _scale(field: str, low: float, high: float) -> Scale:
     return power_scale([low, high], "m" if field == "head" else "m/s")
 
 
-def _ends(below: bool, above: bool) -> str:
-    return ("both" if above else "min") if below else ("max" if above else "neither")
-
-
 def range_of_values(field: str, values: np.ndarray, cut: float = 0.0) -> ColourRange:
     """The ends of the colours; beyond them lie at most `cut` per cent of the values on either side.
     The flux grows without bound towards the tips of cracks, on ever finer meshes, and is cut at its
@@ -83,7 +73,7 @@ def range_of_values(field: str, values: np.ndarray, cut: float = 0.0) -> ColourR
     least, low, high, most = np.nanpercentile(values, [0.0, cut, 100.0 - cut, 100.0]).tolist()
     if field == "flux":
         least, low, high = 0.0, 0.0, float(np.nanpercentile(values, 99))
-    beyond = _ends(least < low, field == "flux" or most > high)
+    beyond = beyond_which(least < low, field == "flux" or most > high)
     low, high = widened(low, high)
     return ColourRange(low, high, _scale(field, low, high), beyond)
 
@@ -104,5 +94,5 @@ def rock_and_crack_ranges(field: str, rock: np.ndarray, cracks: np.ndarray,
     if high - low > _WIDER * (of_rock.high - of_rock.low):
         return of_rock, of_cracks
     both = np.concatenate([rock, cracks])
-    beyond = _ends(np.nanmin(both) < low, np.nanmax(both) > high)
+    beyond = beyond_which(np.nanmin(both) < low, np.nanmax(both) > high)
     return ColourRange(low, high, _scale(field, low, high), beyond), None

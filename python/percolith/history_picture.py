@@ -9,6 +9,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from percolith.run_directory import RunDirectory, Table
+from percolith.saving import save
 from percolith.units import Scale, power_scale, pressure_scale, time_scale
 
 _LEGEND_WIDTH = 100  # letters of small type across a panel; a handle takes 13
@@ -49,9 +50,9 @@ def _extremes(history: Table) -> dict[str, str]:
             if name in history and np.isfinite(history[name]).any()}
 
 
-def draw_history(run: RunDirectory, path: Path) -> Path:
-    """Writes four panels to `path` and returns it: fluid volumes, relative error of the mass
-    balance, extremes of the pressure, rate of each condition."""
+def history_figure(run: RunDirectory):
+    """A figure of four panels: fluid volumes, relative error of the mass balance, extremes of the
+    pressure, rate of each condition."""
     history = run.history
     time = time_scale(history["time_s"])
     figure, grid = plt.subplots(2, 2, figsize=(11, 7), layout="constrained", sharex=True)
@@ -76,6 +77,9 @@ def draw_history(run: RunDirectory, path: Path) -> Path:
     for axes in grid[1]:
         axes.set_xlabel(time.label("Time"))
     figure.suptitle(run.title, fontsize=11)
-    figure.savefig(path, dpi=120)
-    plt.close(figure)
-    return path
+    return figure
+
+
+def draw_history(run: RunDirectory, path: Path) -> Path:
+    """Writes the figure to `path` and returns it."""
+    return save(history_figure(run), path)

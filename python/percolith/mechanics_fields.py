@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from percolith.colour_range import ColourRange, widened
+from percolith.colour_range import ColourRange, cut_range
 from percolith.deformation import damage_since_the_start
 from percolith.rigid_bodies import rigid_triangles, split_off_rigid_bodies
 from percolith.run_directory import Frame, RunDirectory, RunDirectoryError
-from percolith.units import Scale, length_scale, power_scale, pressure_scale
+from percolith.units import Scale, length_scale, power_scale, scale_of, without_unit
 from percolith.vtu import Grid
 
 VECTORS = {"displacement": "displacement_m", "velocity": "velocity_m_per_s"}
@@ -24,7 +24,39 @@ LABEL = {
     "fragments": "Fragments",
 }
 MECHANICS_FIELDS = tuple(LABEL)
+_OTHERS = {
+    "stress_xx": "Stress xx",
+    "stress_yy": "Stress yy",
+    "stress_xy": "Stress xy",
+    "stress_zz": "Stress zz, across the plane",
+    "strain_xx": "Strain xx",
+    "strain_yy": "Strain yy",
+    "strain_xy": "Strain xy, half the angle of shear",
+    "region": "Regions",
+}
+# Arrays that pictures show by another name, or as crosses.
+_SHOWN = ("pressure_Pa", "head_m", "saturation", "darcy_flux_m_per_s", "principal_direction",
+          "damage", "fragment", *VECTORS.values(), *STRESSES.values())
 _FAR = 1.5  # times what 99 % of the points do not exceed: a loose piece
+
+
+def other_fields(matrix: Grid) -> dict[str, str]:
+    """Names and arrays of what else the points or triangles of a frame have."""
+    arrays = [*matrix.point_data, *matrix.cell_data]
+    return {without_unit(array): array for array in arrays if array not in _SHOWN}
+
+
+def label_of(frame: Frame, field: str) -> str:
+    """What a colour bar calls a field; stress is effective where there is fluid."""
+    label = LABEL.get(field) or _OTHERS.get(field) or field.replace("_", " ").capitalize()
+    if "stress" in field and "pressure_Pa" in frame.matrix.point_data:
+        return f"Effective {label[0].lower()}{label[1:]}"
+    return label
+
+
+def is_category(values: np.ndarray) -> bool:
+    """Whether values are numbers of things, as of regions and fragments."""
+    return values.dtype.kind in "iu"
 
 
 def array_of(data: dict[str, np.ndarray], name: str) -> np.ndarray:
@@ -34,7 +66,8 @@ def array_of(data: dict[str, np.ndarray], name: str) -> np.ndarray:
 
 
 def values_of(frame: Frame, field: str) -> np.ndarray:
-    """Values in SI: one a point for sizes of vectors, one a triangle for all else."""
+    """Values in SI: one a point for sizes of vectors, one a triangle for all else; of other arrays
+    of the frame as they are there, of vectors their size."""
     if field in VECTORS:
         return np.hypot(*array_of(frame.matrix.point_data, VECTORS[field]).T)
     if field == "fragments":
@@ -43,7 +76,16 @@ def values_of(frame: Frame, field: str) -> np.ndarray:
         if frame.cracks is not None:
             array_of(frame.cracks.cell_data, "damage")
         return damage_since_the_start(frame)
-    return array_of(frame.matrix.cell_data, STRESSES.get(field, field))
+    name = STRESSES.get(field) or other_fields(frame.matrix).get(field, field)
+    points = frame.matrix.point_data
+    values = points[name] if name in points else array_of(frame.matrix.cell_data, name)
+    return np.hypot(*values.T) if values.ndim == 2 else values
+
+
+def is_at_points(frame: Frame, field: str) -> bool:
+    """Whether `values_of` gives one a point."""
+    name = VECTORS.get(field) or other_fields(frame.matrix).get(field)
+    return name in frame.matrix.point_data
 
 
 def fragment_count(frame: Frame) -> int:
@@ -57,18 +99,19 @@ def rock_and_bodies(run: RunDirectory, frame: Frame) -> tuple[Frame, Grid]:
     return split_off_rigid_bodies(frame, rigid & ~rigid.all())
 
 
-def range_of_values(field: str, values: np.ndarray) -> ColourRange:
-    """The ends of the colours. Stresses grow without bound towards the tips of cracks, on ever
-    finer meshes, and are cut at the last per cent on either side; so are displacements and
-    velocities where a few loose pieces go far beyond all others."""
+def range_of_values(field: str, values: np.ndarray, array: str = "") -> ColourRange:
+    """The ends of the colours; `array` names the unit of a field that is none of MECHANICS_FIELDS.
+    Stresses grow without bound towards the tips of cracks, on ever finer meshes, and are cut at the
+    last per cent on either side; so are displacements and velocities where a few loose pieces go
+    far beyond all others."""
     if field == "damage":
         return ColourRange(0.0, 1.0, Scale(1.0, ""))
     if not np.isfinite(values).any():
-        raise RunDirectoryError(f"{LABEL[field].lower()}: no finite value")
+        raise RunDirectoryError(f"{LABEL.get(field, field).lower()}: no finite value")
     if field in VECTORS:
-        most, high = (float(end) for end in np.nanpercentile(values, [99, 100]))
-        high = (most if 0.0 < most < high / _FAR else high) or 1.0
+        most, largest = (float(end) for end in np.nanpercentile(values, [99, 100]))
+        high = (most if 0.0 < most < largest / _FAR else largest) or 1.0
         scale = length_scale([high]) if field == "displacement" else power_scale([high], "m/s")
-        return ColourRange(0.0, high, scale)
-    low, high = widened(*(float(end) for end in np.nanpercentile(values, [1, 99])))
-    return ColourRange(low, high, pressure_scale([low, high]))
+        return ColourRange(0.0, high, scale, "max" if largest > high else "neither")
+    unit = STRESSES.get(field) or array
+    return cut_range(values, 1.0, lambda ends: scale_of(unit, ends))

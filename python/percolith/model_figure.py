@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 
 import matplotlib.pyplot as plt
@@ -13,22 +14,25 @@ from percolith.units import format_time, time_scale
 from percolith.view import View
 
 _LEGEND_ROW = 0.3  # inches below the picture
-_BAR = 0.9  # inches for a second colour bar
+_LETTER, _HANDLE = 0.078, 0.55  # inches of a small letter, and of what stands before a label
+_BAR = 1.2  # inches for a second colour bar
 
 
 class ModelFigure:
     """A figure that suits the shape of the model, with its axes; wide models get the bars below.
-    """
+    With `axes` the picture is a part of a figure that is there already."""
 
-    def __init__(self, view: View, legend_rows: int = 0, second_bar: bool = False):
+    def __init__(self, view: View, second_bar: bool = False, axes=None):
         window = view.window
         width, height = window[1] - window[0]
         self.is_wide = width > 2.2 * height
-        size = (8.0, 8.0 * height / width + 1.75) if self.is_wide else (
-            6.4 * min(1.0, 1.25 * width / height) + 1.4, 6.4 * min(height / width, 1.25) + 0.6)
-        bar = np.array([0.0, _BAR] if self.is_wide else [_BAR, 0.0]) * second_bar
-        self.figure, self.axes = plt.subplots(
-            figsize=np.array(size) + bar + [0.0, legend_rows * _LEGEND_ROW], layout="constrained")
+        self._is_part = axes is not None
+        if axes is None:
+            size = (8.0, 8.0 * height / width + 1.75) if self.is_wide else (
+                6.4 * min(1.0, 1.25 * width / height) + 1.4, 6.4 * min(height / width, 1.25) + 0.6)
+            bar = np.array([0.0, _BAR] if self.is_wide else [_BAR, 0.0]) * second_bar
+            _, axes = plt.subplots(figsize=np.array(size) + bar, layout="constrained")
+        self.axes = axes
         self.axes.set_aspect("equal")
         margin = 0.0 if view.is_part else 0.01 * max(width, height)
         self.axes.set_xlim(window[0, 0] - margin, window[1, 0] + margin)
@@ -36,15 +40,39 @@ class ModelFigure:
         self.axes.set_xlabel("x (m)")
         self.axes.set_ylabel("y (m)")
 
+    @property
+    def figure(self):
+        return self.axes.figure
+
     def colour_bar(self, picture, label: str, extend: str = "neither") -> None:
         shape = ({"orientation": "horizontal", "aspect": 40, "shrink": 0.7} if self.is_wide
                  else {"shrink": 0.85})
         self.figure.colorbar(picture, ax=self.axes, extend=extend, label=label, **shape)
 
-    def legend(self, handles: list, columns: int) -> None:
-        if handles:
-            self.figure.legend(handles=handles, loc="outside lower center", ncols=columns,
-                               frameon=False, fontsize="small")
+    def legend(self, handles: list) -> None:
+        """A legend below the picture, in as many rows as the figure needs, which grows by them."""
+        if not handles:
+            return
+        place = self.axes.get_subplotspec() if self._is_part else None
+        width = self.figure.get_figwidth() / (place.get_gridspec().ncols if place else 1)
+        columns = fitting_columns([handle.get_label() for handle in handles], width)
+        rows = -(-len(handles) // columns)
+        if self._is_part:
+            self.axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.16),
+                             ncols=columns, frameon=False, fontsize="small")
+            return
+        self.figure.set_figheight(self.figure.get_figheight() + rows * _LEGEND_ROW)
+        self.figure.legend(handles=handles, loc="outside lower center", ncols=columns,
+                           frameon=False, fontsize="small")
+
+
+def fitting_columns(labels: list[str], width: float) -> int:
+    """Into how many columns entries of a legend go on a width (inches)."""
+    lengths = [_LETTER * len(re.sub(r"[$^{}]", "", label)) + _HANDLE for label in labels]
+    for rows in range(1, len(labels)):
+        if sum(max(lengths[i:i + rows]) for i in range(0, len(lengths), rows)) <= width:
+            return -(-len(labels) // rows)
+    return 1
 
 
 def moment(run: RunDirectory, frame: Frame) -> str:

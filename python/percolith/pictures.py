@@ -3,46 +3,61 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
-from percolith.crack_growth_picture import draw_crack_growth
-from percolith.event_picture import draw_events
-from percolith.field_picture import draw_field
+from percolith.crack_growth_picture import crack_growth_figure
+from percolith.event_picture import events_figure
 from percolith.flow_fields import FIELDS
-from percolith.history_picture import draw_history
-from percolith.mechanics_fields import MECHANICS_FIELDS, fragment_count
-from percolith.mechanics_history import draw_loading, draw_mechanics_history
-from percolith.mechanics_picture import draw_mechanics
-from percolith.probe_picture import draw_probes
+from percolith.history_picture import history_figure
+from percolith.loading_picture import loading_figure
+from percolith.map_picture import map_axes
+from percolith.mechanics_fields import MECHANICS_FIELDS, fragment_count, other_fields
+from percolith.mechanics_history import mechanics_history_figure
+from percolith.overlays import Overlays, check_overlays
+from percolith.probe_picture import probes_figure
+from percolith.reference_curves import read_references
 from percolith.run_directory import Frame, RunDirectory, RunDirectoryError
-from percolith.view import View, view_of_frame, view_of_times
+from percolith.saving import save
+from percolith.units import without_unit
+from percolith.view import STILL, View, view_of_frame, view_of_times
 
 
 def fields_of(run: RunDirectory) -> tuple[str, ...]:
     """The fields that pictures of this run can show."""
-    return FIELDS * run.has_flow + MECHANICS_FIELDS * run.has_mechanics
+    fields = FIELDS * run.has_flow + MECHANICS_FIELDS * run.has_mechanics
+    others = other_fields(run.frame(run.times[0]).matrix) if run.times else ()
+    return (*fields, *others)
 
 
-def check_field(run: RunDirectory, field: str | None) -> None:
-    """Raises RunDirectoryError where pictures of this run cannot show `field`."""
-    if field is not None and field not in fields_of(run):
-        raise RunDirectoryError(f"{run.path}: no {field} in this run; there are: "
-                                f"{', '.join(fields_of(run))}")
+def check_field(run: RunDirectory, field: str | None) -> str | None:
+    """The field by its name in pictures: without the unit, if it was given as an array is called.
+    Raises RunDirectoryError where pictures of this run cannot show it."""
+    if field is None or field in fields_of(run):
+        return field
+    if without_unit(field) in fields_of(run):
+        return without_unit(field)
+    raise RunDirectoryError(f"{run.path}: no {field} in this run; there are: "
+                            f"{', '.join(fields_of(run))}")
 
 
 def check_scale(run: RunDirectory, scale: float | None) -> None:
     """Raises RunDirectoryError where a factor of displacements has no meaning."""
-    if scale is not None and not run.has_mechanics:
+    if scale is None:
+        return
+    if not run.has_mechanics:
         raise RunDirectoryError("--scale is for runs of mechanics, and this is one of flow")
+    if not 0.0 <= scale < float("inf"):
+        raise RunDirectoryError(f"scale = {scale}: allowed: a number that is not negative")
 
 
-def _check_arrows(run: RunDirectory, field: str | None, arrows: bool) -> None:
-    if arrows and not run.has_flow:
-        raise RunDirectoryError("--arrows shows the Darcy flux, and this is a run of mechanics")
-    if arrows and field in MECHANICS_FIELDS:
-        raise RunDirectoryError(f"--arrows shows the Darcy flux, and {field} is no field of flow")
+def default_field(run: RunDirectory) -> str:
+    """What one map of a run shows where nobody says it."""
+    return "pressure" if run.has_flow else "displacement"
 
 
 def shows_modes(run: RunDirectory) -> bool:
@@ -50,19 +65,41 @@ def shows_modes(run: RunDirectory) -> bool:
     return run.has_flow and run.has_mechanics
 
 
-def _draw_one(run: RunDirectory, frame: Frame, field: str, path: Path, arrows: bool,
-              view: View) -> Path:
-    if field in FIELDS:
-        return draw_field(run, frame, field, path, arrows, view)
-    return draw_mechanics(run, frame, field, path, view=view)
+@dataclass(frozen=True)
+class MapOptions:
+    """How maps of a run are drawn."""
+
+    scale: float | None = None  # of the displacements; None chooses it
+    window: np.ndarray | None = None  # lower left and upper right end (2, 2), m; None shows all
+    overlays: Overlays = Overlays()
+
+    def check(self, run: RunDirectory) -> None:
+        """Raises RunDirectoryError where the run has nothing to draw this from."""
+        check_scale(run, self.scale)
+        check_overlays(run, self.overlays)
+
+    def view(self, run: RunDirectory, frame: Frame, field: str) -> View:
+        return view_of_frame(run, frame, field, self.scale, shows_modes(run), self.window,
+                             self.overlays)
+
+    def view_of_all(self, run: RunDirectory, times: Sequence[float], field: str,
+                    modes: bool | None = None, colours: int = STILL) -> View:
+        """The view that suits the frames at these times (s)."""
+        modes = shows_modes(run) if modes is None else modes
+        return view_of_times(run, times, field, self.scale, modes, colours, self.window,
+                             self.overlays)
 
 
-def _draw_series(run: RunDirectory, field: str, arrows: bool, scale: float | None,
-                 window: np.ndarray | None) -> list[Path]:
+def draw_map(run: RunDirectory, frame: Frame, field: str, options: MapOptions, axes=None):
+    """Draws one field of one frame and returns its axes."""
+    return map_axes(run, frame, field, options.view(run, frame, field), axes)
+
+
+def _draw_series(run: RunDirectory, field: str, options: MapOptions) -> list[Path]:
     """A picture a frame, `FIELD_NNNN.png` in the run directory, all with one view."""
-    view = view_of_times(run, run.times, field, scale, shows_modes(run), window=window)
-    return [_draw_one(run, run.frame(time), field, run.path / f"{field}_{i:04d}.png", arrows, view)
-            for i, time in enumerate(run.times)]
+    view = options.view_of_all(run, run.times, field)
+    return [save(map_axes(run, run.frame(time), field, view).figure,
+                 run.path / f"{field}_{i:04d}.png") for i, time in enumerate(run.times)]
 
 
 def _default_fields(run: RunDirectory, frame: Frame) -> list[str]:
@@ -75,49 +112,70 @@ def _default_fields(run: RunDirectory, frame: Frame) -> list[str]:
     return fields
 
 
-def _draw_fields(run: RunDirectory, field: str | None, time: float | str, arrows: bool,
-                 output: Path | None, scale: float | None,
-                 window: np.ndarray | None) -> list[Path]:
-    first = field or ("pressure" if run.has_flow else "displacement")
+def _draw_fields(run: RunDirectory, field: str | None, time: float | str, output: Path | None,
+                 options: MapOptions) -> list[Path]:
+    first = field or default_field(run)
     if time == "all":
-        return _draw_series(run, first, arrows, scale, window)
+        return _draw_series(run, first, options)
     frame = run.frame(None if time == "last" else time)
-    fields = [first] if field or output else _default_fields(run, frame)
-    return [_draw_one(run, frame, name, output or run.path / f"{name}.png",
-                      arrows and name in FIELDS,
-                      view_of_frame(run, frame, name, scale, shows_modes(run), window))
-            for name in fields]
+    if field or output:
+        return [save(draw_map(run, frame, first, options).figure,
+                     output or run.path / f"{first}.png")]
+    # Where no field is asked for, arrows of the flux lie over those of flow.
+    still = replace(options, overlays=replace(options.overlays, arrows=False))
+    return [save(draw_map(run, frame, name, options if name in FIELDS else still).figure,
+                 run.path / f"{name}.png") for name in _default_fields(run, frame)]
+
+
+def history_of(run: RunDirectory, of: str | None = None):
+    """The figure of the history of the `rock` or the `fluid`; None stands for the one there is, of
+    a coupled run that of the rock. Raises RunDirectoryError where there is none."""
+    known = ["rock"] * run.has_mechanics + ["fluid"] * (run.has_flow and not run.is_steady)
+    if not known:
+        raise RunDirectoryError(f"{run.path}: a steady run has no history")
+    of = known[0] if of is None else of
+    if of not in known:
+        raise RunDirectoryError(f"history of {of}: this run has none; allowed: {', '.join(known)}")
+    return mechanics_history_figure(run) if of == "rock" else history_figure(run)
+
+
+def loading_of(run: RunDirectory):
+    """The figure of reactions over displacements; None where nothing is loaded."""
+    return loading_figure(run) if run.has_mechanics else None
 
 
 def _draw_tables(run: RunDirectory, window: np.ndarray | None) -> list[Path]:
     """The pictures of history and events; those of flow have a name of their own beside those of
     mechanics."""
-    paths: list[Path | None] = []
+    if run.is_steady:
+        return []
+    figures = {"history": history_of(run)}
     if run.has_mechanics:
-        paths.append(draw_mechanics_history(run, run.path / "history.png"))
-    if run.has_flow and not run.is_steady:
-        name = "fluid.png" if run.has_mechanics else "history.png"
-        paths.append(draw_history(run, run.path / name))
-    if run.has_mechanics:
-        paths += [draw_crack_growth(run, run.path / "crack_growth.png"),
-                  draw_loading(run, run.path / "loading.png"),
-                  draw_events(run, run.path / "events.png", window)]
-    return [path for path in paths if path]
+        if run.has_flow:
+            figures["fluid"] = history_of(run, "fluid")
+        figures |= {"crack_growth": crack_growth_figure(run), "loading": loading_of(run),
+                    "events": events_figure(run, window)}
+    return [save(figure, run.path / f"{name}.png") for name, figure in figures.items() if figure]
 
 
 def draw(run: RunDirectory, field: str | None = None, time: float | str = "last",
          arrows: bool = False, output: Path | None = None,
-         scale: float | None = None, window: np.ndarray | None = None) -> list[Path]:
+         scale: float | None = None, window: np.ndarray | None = None, cracks: str = "auto",
+         crosses: bool | None = None,
+         references: Sequence[str | os.PathLike] = ()) -> list[Path]:
     """Draws what `percolith plot` draws and returns the paths of the pictures. Without `field` it
     is the pressure of a run with flow, and every field of mechanics. `scale` multiplies the
     displacements; None chooses it. `window` gives lower left and upper right end (2, 2) of what
-    maps show, in m; None stands for all."""
-    check_field(run, field)
-    check_scale(run, scale)
-    _check_arrows(run, field, arrows)
-    paths = _draw_fields(run, field, time, arrows, output, scale, window)
+    maps show, in m; None stands for all. `cracks` is one of overlays.CRACKS; `crosses` of the
+    principal stresses and `arrows` of the flux lie over every map, without being asked for crosses
+    over principal stresses alone. `references` are files to compare probes with."""
+    options = MapOptions(scale, window, Overlays(cracks, crosses, arrows))
+    field = check_field(run, field)
+    options.check(run)
+    curves = read_references(references, run)
+    paths = _draw_fields(run, field, time, output, options)
     if output is not None:
         return paths
     if run.probe_names:
-        paths.append(draw_probes(run, field or "pressure", run.path / "probes.png"))
+        paths.append(save(probes_figure(run, field or "pressure", curves), run.path / "probes.png"))
     return paths + _draw_tables(run, window)

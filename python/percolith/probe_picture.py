@@ -1,15 +1,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the probes of a run: profiles over distance for lines, series over time for points."""
+"""Draws the probes of a run: profiles over distance for lines, series over time for points, with
+reference values as markers over them."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.lines import Line2D
 
-from percolith.run_directory import RunDirectory, Table
-from percolith.units import Scale, format_time, power_scale, pressure_scale, time_scale
+from percolith.colours import BLACK
+from percolith.reference_curves import ReferenceCurve
+from percolith.run_directory import RunDirectory, RunDirectoryError, Table
+from percolith.saving import save
+from percolith.units import format_time, scale_of, time_scale, without_unit
 
 _COLUMN = {"pressure": "pressure_Pa", "head": "head_m", "saturation": "saturation",
            "flux": "flux_x_m_per_s"}
@@ -19,6 +25,8 @@ _LABEL = {"pressure_Pa": "Pressure", "head_m": "Hydraulic head", "saturation": "
           "displacement_x_m": "Displacement along x", "displacement_y_m": "Displacement along y",
           "velocity_x_m_per_s": "Velocity along x", "velocity_y_m_per_s": "Velocity along y",
           "stress_xx_Pa": "Stress xx", "stress_yy_Pa": "Stress yy", "stress_xy_Pa": "Stress xy"}
+_MARKERS = "os^Dv*"  # one a file of references
+_MOST_NAMES = 12  # of times in a legend; more have a colour bar
 _MECHANICS = ("displacement_x_m", "displacement_y_m", "velocity_x_m_per_s", "velocity_y_m_per_s",
               "stress_xx_Pa", "stress_yy_Pa", "stress_xy_Pa")
 
@@ -32,76 +40,103 @@ def _column(table: Table, field: str) -> str:
     return wanted if wanted in table else "pressure_Pa"
 
 
-def _scale(column: str, values: np.ndarray) -> Scale:
-    if column.endswith("_Pa"):
-        return pressure_scale(values)
-    for ending, unit in (("_m_per_s", "m/s"), ("_m2_per_s", "m²/s"), ("_m", "m")):
-        if column.endswith(ending):
-            return power_scale(values, unit)
-    return Scale(1.0, "")
+def _label(column: str) -> str:
+    return _LABEL.get(column) or without_unit(column).replace("_", " ").capitalize()
 
 
-def _draw_line(axes, table: Table, column: str, is_steady: bool) -> None:
+def _draw_references(axes, references: list[ReferenceCurve], across: float, up: float,
+                     colours: dict[float | None, object]) -> list[Line2D]:
+    """Hollow markers, one shape a file, in the colour of each time; returns entries of a legend."""
+    for curve in references:
+        axes.plot(curve.x / across, curve.values / up, linestyle="none", markersize=5.0,
+                  marker=_MARKERS[curve.number % len(_MARKERS)], markerfacecolor="none",
+                  markeredgecolor=colours[curve.time], zorder=3.0)
+    names = {curve.number: curve.name for curve in references}
+    return [Line2D([], [], linestyle="none", marker=_MARKERS[number % len(_MARKERS)],
+                   markersize=5.0, markerfacecolor="none", markeredgecolor=BLACK, label=name)
+            for number, name in sorted(names.items())]
+
+
+def _draw_line(axes, table: Table, column: str, is_steady: bool,
+               references: list[ReferenceCurve]) -> None:
     times = np.unique(table["time_s"])
-    scale, unit = _scale(column, table[column]), time_scale(times)
+    scale, unit = scale_of(column, table[column]), time_scale(times)
     colours = plt.cm.viridis(np.linspace(0, 0.92, len(times)))
     for time, colour in zip(times, colours):
         rows = table.at_time(time)
         distance = np.hypot(rows["x_m"] - rows["x_m"][0], rows["y_m"] - rows["y_m"][0])
         label = "steady state" if is_steady else format_time(time, unit)
         axes.plot(distance, rows[column] / scale.factor, color=colour, label=label, linewidth=1.4)
+    of_time = dict(zip(times.tolist(), colours))
+    handles = _draw_references(axes, references, 1.0, scale.factor, of_time)
     ends = table.at_time(times[-1])
     start, stop = ((ends["x_m"][i], ends["y_m"][i]) for i in (0, -1))
     axes.set_xlabel(f"Distance from ({start[0]:g}, {start[1]:g}) to "
                     f"({stop[0]:g}, {stop[1]:g}) (m)")
-    axes.set_ylabel(scale.label(_LABEL[column]))
-    if len(times) <= 12:
-        axes.legend(fontsize="small", frameon=False)
+    axes.set_ylabel(scale.label(_label(column)))
+    if len(times) <= _MOST_NAMES:
+        handles = [*axes.get_legend_handles_labels()[0], *handles]
     else:
         colour_map = plt.cm.ScalarMappable(plt.Normalize(times[0] / unit.factor,
                                                          times[-1] / unit.factor), "viridis")
         axes.figure.colorbar(colour_map, ax=axes, label=unit.label("Time"))
+    if handles:
+        axes.legend(handles=handles, fontsize="small", frameon=False)
 
 
-def _draw_point(axes, table: Table, column: str) -> None:
-    scale, unit = _scale(column, table[column]), time_scale(table["time_s"])
+def _draw_point(axes, table: Table, column: str, references: list[ReferenceCurve]) -> None:
+    scale, unit = scale_of(column, table[column]), time_scale(table["time_s"])
     axes.plot(table["time_s"] / unit.factor, table[column] / scale.factor, marker=".",
-              color=plt.cm.viridis(0.3))
+              color=plt.cm.viridis(0.3), label="simulation")
+    handles = _draw_references(axes, references, unit.factor, scale.factor, {None: BLACK})
+    if handles:
+        axes.legend(handles=[*axes.lines[:1], *handles], fontsize="small", frameon=False)
     axes.set_xlabel(unit.label("Time"))
-    axes.set_ylabel(scale.label(_LABEL[column]))
+    axes.set_ylabel(scale.label(_label(column)))
 
 
-def _panels(run: RunDirectory, field: str) -> list[tuple[str, Table, str]]:
+def _panels(run: RunDirectory, field: str,
+            references: Sequence[ReferenceCurve]) -> list[tuple[str, Table, str]]:
     """Probe, its table and column of each panel: of flow `field` of every probe, of mechanics every
-    component of displacement, velocity and stress."""
+    component of displacement, velocity and stress, and whatever there are references of."""
     panels = []
     for name in run.probe_names:
         table = run.probe(name)
         columns = [_column(table, field)] if "pressure_Pa" in table else []
         columns += [column for column in _MECHANICS if column in table]
-        panels += [(name, table, column) for column in columns]
+        columns += [curve.column for curve in references if curve.probe == name]
+        panels += [(name, table, column) for column in dict.fromkeys(columns)]
     return panels
 
 
-def draw_probes(run: RunDirectory, field: str, path: Path) -> Path:
-    """Writes one panel a probe to `path` and returns it, of mechanics one a probe and component,
-    whatever the field."""
-    panels = _panels(run, field)
+def probes_figure(run: RunDirectory, field: str = "pressure",
+                  references: Sequence[ReferenceCurve] = ()):
+    """A figure of one panel a probe, of mechanics one a probe and component, whatever the field.
+    References are markers, of profiles in the colour of the time they belong to. Raises
+    RunDirectoryError in a run without probes."""
+    if not run.probe_names:
+        raise RunDirectoryError(f"{run.path}: this run has no probes; the case asks for them by "
+                                "[probe.NAME]")
+    panels = _panels(run, field, references)
     columns = 1 if len(panels) == 1 else 2
     rows = -(-len(panels) // columns)
     size = (7 if columns == 1 else 11, 3.6 * rows + 0.4)
     figure, grid = plt.subplots(rows, columns, figsize=size, layout="constrained", squeeze=False)
     for axes, (name, table, column) in zip(grid.flat, panels):
-        is_line = len(table.at_time()) > 1
-        if is_line:
-            _draw_line(axes, table, column, run.is_steady)
+        over = [curve for curve in references if (curve.probe, curve.column) == (name, column)]
+        if len(table.at_time()) > 1:
+            _draw_line(axes, table, column, run.is_steady, over)
         else:
-            _draw_point(axes, table, column)
+            _draw_point(axes, table, column, over)
         axes.set_title(f"Probe {name}", fontsize=10)
         axes.grid(alpha=0.3)
     for axes in grid.flat[len(panels):]:
         axes.set_visible(False)
     figure.suptitle(run.title, fontsize=11)
-    figure.savefig(path, dpi=120)
-    plt.close(figure)
-    return path
+    return figure
+
+
+def draw_probes(run: RunDirectory, field: str, path: Path,
+                references: Sequence[ReferenceCurve] = ()) -> Path:
+    """Writes the figure to `path` and returns it."""
+    return save(probes_figure(run, field, references), path)

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from percolith.errors import Error
+from percolith.run_pictures import RunPictures
 from percolith.vtu import Grid, read_vtu
 
 if TYPE_CHECKING:
@@ -117,7 +118,7 @@ def parse_table(lines: Iterable[str], name: str, words: tuple[str, ...] = ()) ->
         raise RunDirectoryError(f"{name}: not a table of numbers: {error}") from error
 
 
-class RunDirectory:
+class RunDirectory(RunPictures):
     """The results of one run, as `percolith.open_run` opens them. Files are read when first asked
     for; arrays and columns carry their SI units in their names.
 
@@ -239,6 +240,12 @@ class RunDirectory:
         cracks = self._crack_files.get(chosen)
         matrix = read_vtu(self._matrix_files[chosen])
         return Frame(chosen, matrix, read_vtu(cracks) if cracks else None)
+
+    @property
+    def last_cracks(self) -> Grid | None:
+        """The cracks of the last frame that has some; None where there never are any."""
+        files = self._crack_files
+        return read_vtu(files[max(files)]) if files else None
 
     def frames(self) -> Iterator[Frame]:
         """All frames in the order of time, each read when its turn comes."""

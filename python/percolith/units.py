@@ -75,6 +75,35 @@ def power_scale(values, unit: str) -> Scale:
     return Scale(10.0**power, f"$10^{{{exponent}}}$ {unit}")
 
 
+_SCALES = [("_Pa", pressure_scale), ("_J_per_m", lambda values: prefix_scale(values, "J/m")),
+           ("_m2_per_s", lambda values: power_scale(values, "m²/s")),
+           ("_m_per_s", lambda values: power_scale(values, "m/s")),
+           ("_m", length_scale), ("_s", time_scale)]
+
+
+def without_unit(name: str) -> str:
+    """The name of an array or a column without the unit at its end."""
+    endings = [ending for ending, _ in _SCALES if name.endswith(ending)]
+    return name.removesuffix(endings[0]) if endings else name
+
+
+def scale_of(name: str, values) -> Scale:
+    """The scale that suits the values of an array or a column, whose unit is the end of its name;
+    a power of ten where it has none."""
+    values = np.asarray(values)[np.isfinite(values)]
+    for ending, suitable in _SCALES:
+        if name.endswith(ending):
+            return suitable(values)
+    scale = power_scale(values, "")
+    return Scale(scale.factor, scale.unit.strip())
+
+
+def format_value(value: float, scale: Scale) -> str:
+    """A value (SI) in the unit of `scale`, which may be a power of ten times a unit."""
+    times = "× " if scale.unit.startswith("$") else ""
+    return f"{value / scale.factor:.3g} {times}{scale.unit}".rstrip()
+
+
 def format_time(seconds: float, scale: Scale | None = None) -> str:
     """A time in the unit of `scale`, or in the one that suits it."""
     scale = scale or time_scale([seconds])

@@ -16,7 +16,7 @@ _HALF_PIXEL = 1 / 1400  # of the window
 ALLOWED = "X0 X1 Y0 Y1 in m, with X0 < X1 and Y0 < Y1"
 
 
-def window_from(words: list[str]) -> np.ndarray:
+def window_from(words: list) -> np.ndarray:
     """Lower left and upper right end (2, 2) of the window X0 X1 Y0 Y1 in m. Raises ValueError with
     the reason where it is none."""
     try:
@@ -28,6 +28,18 @@ def window_from(words: list[str]) -> np.ndarray:
     if left >= right or low >= high:
         raise ValueError("without width" if left == right or low == high else "reversed")
     return np.array([[left, low], [right, high]])
+
+
+def as_window(window) -> np.ndarray | None:
+    """The window (2, 2) of X0, X1, Y0, Y1 in m, or of its lower left and upper right end; None where
+    there is none. Raises RunDirectoryError where these mean nothing."""
+    if window is None:
+        return None
+    ends = np.asarray(window)
+    try:
+        return window_from((ends.T if ends.shape == (2, 2) else ends).ravel().tolist())
+    except ValueError as error:
+        raise RunDirectoryError(f"window = {window}: {error}; allowed: {ALLOWED}") from error
 
 
 def meets(corners: np.ndarray, window: np.ndarray) -> np.ndarray:

@@ -97,9 +97,10 @@ def test_a_single_frame_is_no_animation(coupled, tmp_path, capsys):
 
 
 @pytest.mark.parametrize("words, message", [
-    (["--time", "all"], "--animate shows all times, and no arrows"),
-    (["--arrows"], "--animate shows all times, and no arrows"),
-    (["--output", "field.png"], "--output = field.png: an animation is a GIF"),
+    (["--time", "all"], "--animate shows all times; leave out --time"),
+    (["--reference", "probe.csv"], "--reference is for the picture of the probes"),
+    (["--output", "field.png"],
+     "--output = field.png: not the name of an animation; allowed: FILE.gif, FILE.mp4"),
 ])
 def test_options_that_contradict_it(coupled, words, message, capsys):
     with pytest.raises(SystemExit):

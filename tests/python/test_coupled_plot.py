@@ -63,14 +63,6 @@ def test_every_field_can_be_drawn(directory, tmp_path):
         assert output.stat().st_size > 10_000
 
 
-def test_arrows_lie_over_flow_alone(directory, tmp_path, capsys):
-    output = tmp_path / "arrows.png"
-    assert plot.main([str(directory), "--arrows", "--output", str(output)]) == 0
-    assert plot.main([str(directory), "--arrows", "--field", "damage"]) == 2
-    message = "--arrows shows the Darcy flux, and damage is no field of flow"
-    assert message in capsys.readouterr().err
-
-
 def test_the_gap_of_a_crack_lies_between_its_faces(run):
     frame = run.frame()
     gaps = crack_gaps(frame)
@@ -133,7 +125,7 @@ def test_probes_of_a_coupled_run_show_both(run, monkeypatch, tmp_path):
     from percolith import probe_picture
     shown = []
     monkeypatch.setattr(probe_picture, "_draw_point",
-                        lambda axes, table, column: shown.append(column))
+                        lambda axes, table, column, references: shown.append(column))
     probe_picture.draw_probes(run, "pressure", tmp_path / "probes.png")
     assert shown == ["pressure_Pa", "displacement_x_m", "displacement_y_m"]
 

@@ -42,8 +42,12 @@ def test_pictures_differ_between_times(directory, tmp_path):
     assert early.read_bytes() != late.read_bytes()
 
 
-def test_all_frames(directory, capsys):
-    assert plot.main([str(directory), "--time", "all"]) == 0
+def test_all_frames_and_references(directory, tmp_path, capsys):
+    reference = tmp_path / "formula.csv"
+    reference.write_text("time_s,x_m,y_m,pressure_Pa\n0.01,0,5,4439110\n0.1,0,5,6553266\n")
+    without = (directory / "probes.png").read_bytes()
+    assert plot.main([str(directory), "--time", "all", "--reference", str(reference)]) == 0
+    assert (directory / "probes.png").read_bytes() != without
     names = [line.rsplit("/", 1)[1] for line in capsys.readouterr().out.split()]
     assert names[:5] == [f"pressure_{i:04d}.png" for i in range(5)]
 

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes figures as files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+
+FORMATS = (".png", ".pdf", ".svg")
+_RESOLUTION = 120  # dots per inch
+
+
+def save(figure, path: Path) -> Path:
+    """Writes a figure to `path`, in the format that its ending names, closes it and returns the
+    path. Raises OSError where it cannot be written."""
+    smaller = {"pil_kwargs": {"optimize": True}} if path.suffix.lower() == ".png" else {}
+    try:
+        figure.savefig(path, dpi=_RESOLUTION, **smaller)
+    finally:
+        plt.close(figure)
+    return path

@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What lies over maps: cracks in the colours of their quantities, crosses and arrows."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+from matplotlib.collections import LineCollection
+from matplotlib.quiver import Quiver
+from percolith import RunDirectory, RunDirectoryError, plot
+from percolith.crack_fields import (
+    CRACK_FIELDS,
+    chosen_segments,
+    end_values,
+    range_of_cracks,
+    shown_values,
+)
+from percolith.crack_picture import MODES
+from percolith.model_figure import fitting_columns
+from percolith.overlays import CRACKS, Overlays, check_overlays
+from percolith.view import view_of_frame, view_of_times
+from synthetic_coupled_run import OPENING, PRESSURE, write_coupled_run
+from synthetic_run import write_mechanics_run
+
+
+@pytest.fixture(scope="module")
+def block(tmp_path_factory):
+    return RunDirectory(write_mechanics_run(tmp_path_factory.mktemp("block") / "results"))
+
+
+@pytest.fixture(scope="module")
+def coupled(tmp_path_factory):
+    return RunDirectory(write_coupled_run(tmp_path_factory.mktemp("coupled") / "results"))
+
+
+@pytest.fixture(autouse=True)
+def close_figures():
+    yield
+    plt.close("all")
+
+
+def labels(axes) -> list[str]:
+    """Labels of the colour bars and entries of the legend of a map in a figure of its own."""
+    bars = [other.get_ylabel() or other.get_xlabel() for other in axes.figure.axes[1:]]
+    return bars + [text.get_text() for legend in axes.figure.legends
+                   for text in legend.get_texts()]
+
+
+def coloured_lines(axes) -> list[np.ndarray]:
+    """Values of the lines that have colours by values."""
+    return [one.get_array() for one in axes.collections
+            if isinstance(one, LineCollection) and one.get_array() is not None]
+
+
+def test_cracks_have_the_colours_of_their_aperture(coupled):
+    axes = coupled.plot("pressure", cracks="aperture")
+    assert "Aperture of cracks, hydraulic (µm)" in labels(axes)
+    (values,) = coloured_lines(axes)
+    wet = coupled.frame().cracks.cell_data["wet"] != 0
+    assert len(values) == 2 * wet.sum()
+    assert values.max() == pytest.approx(1e6 * OPENING)
+
+
+def test_cracks_have_the_colours_of_the_time_they_broke(coupled):
+    cracks = coupled.frame().cracks
+    assert np.array_equal(chosen_segments(cracks, "break_time"), cracks.cell_data["mode"] > 0)
+    axes = coupled.plot("damage", cracks="break_time")
+    assert "Time of breakage (ms)" in labels(axes)
+    (values,) = coloured_lines(axes)
+    assert np.allclose(values, 5.0)  # all at the end of the run, 5 ms
+
+
+def test_pressure_in_cracks_over_a_field_of_mechanics(coupled):
+    axes = coupled.plot("principal_stress_2", cracks="pressure")
+    assert "Pressure in cracks (MPa)" in labels(axes)
+    assert coloured_lines(axes)[0].max() == pytest.approx(PRESSURE / 1e6, rel=0.02)
+
+
+def test_modes_over_a_field_of_flow(coupled):
+    names = labels(coupled.plot("pressure", cracks="mode"))
+    frame = coupled.frame()
+    assert f"{MODES[1][0]} ({(frame.cracks.cell_data['mode'] == 1).sum()})" in names
+
+
+def test_cracks_may_be_left_out(block):
+    def lines(cracks):
+        axes = block.plot("displacement", cracks=cracks)
+        return sum(isinstance(one, LineCollection) for one in axes.collections)
+
+    assert lines("none") == 0 and lines("thin") == lines("auto") == 1
+
+
+def test_every_choice_is_there_or_says_what_is(coupled):
+    for name in CRACKS:
+        if name in ("head", "released_energy"):
+            with pytest.raises(RunDirectoryError, match="the cracks of this run have none"):
+                check_overlays(coupled, Overlays(name))
+        else:
+            check_overlays(coupled, Overlays(name))
+            assert view_of_frame(coupled, coupled.frame(), "displacement",
+                                 overlays=Overlays(name)).crack_colours != "auto"
+
+
+def test_ends_of_the_colours_of_cracks(coupled):
+    assert range_of_cracks("saturation", np.array([0.5])).high == 1.0
+    empty = range_of_cracks("break_time", np.empty(0))
+    assert (empty.low, empty.high, empty.scale.unit) == (0.0, 1.0, "s")
+    cut = range_of_cracks("opening", np.append(np.full(999, 1e-6), 1.0))
+    assert cut.high < 2e-6 and cut.beyond == "max"
+    assert shown_values(coupled.frame(), "thin").size == 0
+    flux = coupled.frame().cracks
+    flux.cell_data["flux_m2_per_s"] = -flux.cell_data["flux_m2_per_s"]
+    assert end_values(flux, "flux").min() > 0.0
+    assert set(CRACK_FIELDS) < set(CRACKS)
+
+
+def test_crosses_lie_over_any_field(block, coupled):
+    assert "tension" in labels(block.plot("displacement", crosses=True))
+    assert "tension" in labels(coupled.plot("pressure", crosses=True))
+    assert "tension" in labels(block.plot("principal_stress_1"))
+    assert "tension" not in labels(block.plot("principal_stress_1", crosses=False))
+    assert "tension" not in labels(coupled.plot("principal_stress_1"))  # modes of cracks instead
+
+
+def test_the_legend_tells_the_stress_of_the_longest_cross(block):
+    stress = np.abs(block.frame().matrix.cell_data["principal_stress_2_Pa"])
+    longest = f"longest cross: {np.percentile(stress, 95) / 1e6:.3g} MPa"
+    assert longest in labels(block.plot("principal_stress_2"))
+    assert longest in labels(block.plot("damage", crosses=True))  # the larger of both
+
+
+def test_arrows_lie_over_any_field_of_a_run_with_flow(coupled):
+    for field in ("pressure", "damage"):
+        axes = coupled.plot(field, arrows=True)
+        (arrows,) = (one for one in axes.collections if isinstance(one, Quiver))
+        assert arrows.N > 100 and any(name.startswith("longest arrow:") for name in labels(axes))
+    assert not any(isinstance(one, Quiver) for one in coupled.plot("pressure").collections)
+
+
+@pytest.mark.parametrize("words, message", [
+    (["--cracks", "pressure"], "--cracks = pressure: the cracks of this run have none; they have: "
+                               "mode, opening, damage"),
+    (["--arrows"], "--arrows shows the Darcy flux, and this is a run of mechanics"),
+])
+def test_what_a_run_of_mechanics_lacks(block, words, message, capsys):
+    assert plot.main([str(block.path), *words]) == 2
+    assert message in capsys.readouterr().err
+
+
+def test_what_a_run_of_flow_lacks(tmp_path, capsys):
+    (tmp_path / "resolved.toml").write_text('[model]\nphysics = "seepage"\n')
+    assert plot.main([str(tmp_path), "--crosses"]) == 2
+    assert "--crosses shows the principal stresses, and this is a run of flow" in (
+        capsys.readouterr().err)
+
+
+def test_an_unknown_quantity_of_cracks(block, capsys):
+    with pytest.raises(SystemExit):
+        plot.main([str(block.path), "--cracks", "colour"])
+    assert "invalid choice: 'colour' (choose from" in capsys.readouterr().err
+    with pytest.raises(RunDirectoryError, match="--cracks = colour: unknown; allowed: auto, mode"):
+        block.plot(cracks="colour")
+
+
+def test_a_run_whose_rock_is_whole_has_no_cracks_to_miss(tmp_path):
+    run = RunDirectory(write_mechanics_run(tmp_path / "run", events=0, cracked=False))
+    for cracks in ("mode", "break_time"):
+        assert not coloured_lines(run.plot("damage", cracks=cracks))
+    with pytest.raises(RunDirectoryError, match="they have: mode, opening, slip"):
+        run.plot("damage", cracks="pressure")
+
+
+def test_fractures_of_rock_at_rest(run_example):
+    run = run_example("single_fracture").results
+    axes = run.plot("flux", cracks="aperture")
+    assert any(label.startswith("Aperture of cracks") for label in labels(axes))
+    assert len(coloured_lines(axes)[0]) == 2 * len(run.frame().cracks.cells)
+    with pytest.raises(RunDirectoryError, match="they have: pressure, saturation, aperture, flux"):
+        run.plot(cracks="mode")
+
+
+def test_a_series_has_one_longest_cross_and_arrow(coupled):
+    overlays = Overlays(crosses=True, arrows=True, cracks="break_time")
+    view = view_of_times(coupled, coupled.times, "displacement", overlays=overlays)
+    last = view_of_times(coupled, coupled.times[-1:], "displacement", overlays=overlays)
+    assert view.cross >= last.cross > 0.0 and view.arrow >= last.arrow > 0.0
+    assert view.cracks.low < last.cracks.low
+
+
+def test_legends_fit_their_figures():
+    assert fitting_columns(["tension", "compression"], 7.0) == 2
+    assert fitting_columns(["tension", "compression"], 1.0) == 1
+    long = ["past its peak (826)", "tensile (33)", "mixed (115)", "tension", "compression"]
+    assert fitting_columns(long, 7.0) == 3
+    assert fitting_columns(["longest arrow: 2.81 × $10^{-3}$ m/s"] * 2, 6.5) == 2
