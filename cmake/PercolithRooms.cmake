@@ -11,6 +11,9 @@ function(percolith_room name)
   set(library percolith_${name})
   if(sources)
     add_library(${library} STATIC ${sources})
+    # Only in unity builds, where a generated file includes the sources.
+    set_target_properties(${library} PROPERTIES UNITY_BUILD_CODE_BEFORE_INCLUDE
+                                                "// NOLINTNEXTLINE(bugprone-suspicious-include)")
     target_link_libraries(${library} PRIVATE ${room_PRIVATE})
     set(scope PUBLIC)
   else()
@@ -37,13 +40,19 @@ function(percolith_room_tests name)
   endif()
 endfunction()
 
-# Fuzz targets: every fuzz/fuzz_<name>.cpp becomes a libFuzzer program.
-function(percolith_fuzz_targets)
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/fuzz_*.cpp)
-  foreach(source ${sources})
-    get_filename_component(target ${source} NAME_WE)
-    add_executable(${target} ${source})
-    target_link_libraries(${target} PRIVATE ${ARGN})
-    target_link_options(${target} PRIVATE -fsanitize=fuzzer)
+# percolith_fuzz_target(NAME ROOMS... LIBRARIES...): fuzz/fuzz_<name>.cpp becomes a libFuzzer program.
+# It takes the objects of the rooms that it calls in place of their libraries: those would have all
+# rooms built of which these include a header. (The preset's CMAKE_OPTIMIZE_DEPENDENCIES is needed
+# too: without it objects wait for the libraries that theirs depends on.)
+function(percolith_fuzz_target name)
+  cmake_parse_arguments(fuzz "" "" "ROOMS;LIBRARIES" ${ARGN})
+  set(target fuzz_${name})
+  add_executable(${target} fuzz/${target}.cpp)
+  foreach(room ${fuzz_ROOMS})
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:percolith_${room}>)
+    target_include_directories(${target}
+                               PRIVATE $<TARGET_PROPERTY:percolith_${room},INCLUDE_DIRECTORIES>)
   endforeach()
+  target_link_libraries(${target} PRIVATE percolith_compile ${fuzz_LIBRARIES})
+  target_link_options(${target} PRIVATE -fsanitize=fuzzer)
 endfunction()

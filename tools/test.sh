@@ -22,10 +22,12 @@ python_tests() {
 }
 
 fuzz_tests() {
-  local source target
-  check "build of the fuzz targets" configure_and_build fuzz
+  local source target targets=()
   for source in tests/fuzz/fuzz_*.cpp; do
-    target=$(basename "$source" .cpp)
+    targets+=("$(basename "$source" .cpp)")
+  done
+  check "build of the fuzz targets" configure_and_build fuzz -- "${targets[@]}"
+  for target in "${targets[@]}"; do
     if [[ -x build/fuzz/bin/$target ]]; then
       check "$target" tools/fuzz.sh "$target"
     fi

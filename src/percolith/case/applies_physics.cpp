@@ -101,14 +101,6 @@ constexpr std::array<std::string_view, 11> of_coupling{{
     "time.pore_flow",
 }};
 
-bool has_flow(const Setup& setup, const std::string& /*name*/) {
-  return simulation::has_flow(setup.model.physics);
-}
-
-bool has_motion(const Setup& setup, const std::string& /*name*/) {
-  return simulation::has_motion(setup.model.physics);
-}
-
 bool is_coupled(const Setup& setup, const std::string& /*name*/) {
   return setup.model.physics == Physics::coupled;
 }
@@ -239,6 +231,14 @@ void add_coupling(std::vector<Applicability>& rules) {
 }
 
 }  // namespace
+
+bool has_flow(const Setup& setup, const std::string& /*name*/) {
+  return simulation::has_flow(setup.model.physics);
+}
+
+bool has_motion(const Setup& setup, const std::string& /*name*/) {
+  return simulation::has_motion(setup.model.physics);
+}
 
 std::vector<Applicability> needs_of_physics() {
   std::vector<Applicability> rules;

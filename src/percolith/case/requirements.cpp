@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/case/requirements.hpp"
 
+#include "percolith/case/applies_physics.hpp"
+
 #include <algorithm>
 
 namespace percolith::case_file {
@@ -9,15 +11,7 @@ namespace {
 
 using simulation::Setup;
 
-bool has_flow(const Setup& setup, const std::string& /*name*/) {
-  return simulation::has_flow(setup.model.physics);
-}
-
-bool has_motion(const Setup& setup, const std::string& /*name*/) {
-  return simulation::has_motion(setup.model.physics);
-}
-
-bool may_break(const Setup& setup, const std::string& name) {
+bool breaks(const Setup& setup, const std::string& name) {
   return has_motion(setup, name) &&
          setup.material.at(name).joints == simulation::RockJoints::breakable;
 }
@@ -33,7 +27,7 @@ bool is_in_body(const Setup& setup, const std::string& name) {
 }
 
 bool rubs(const Setup& setup, const std::string& name) {
-  return may_break(setup, name) || (has_motion(setup, name) && is_in_body(setup, name));
+  return breaks(setup, name) || (has_motion(setup, name) && is_in_body(setup, name));
 }
 
 bool is_bonded(const Setup& setup, const std::string& name) {
@@ -44,7 +38,7 @@ bool has_new_cracks(const Setup& setup, const std::string& /*name*/) {
   return setup.new_cracks.has_value();
 }
 
-std::vector<Requirement> everything() {
+std::vector<Requirement> all_requirements() {
   const std::vector<std::string> physics{"model.physics"};
   const std::vector<std::string> joints{"model.physics", "material.*.joints"};
   const std::vector<std::string> bond{"model.physics", "fracture.*.bond"};
@@ -63,18 +57,18 @@ std::vector<Requirement> everything() {
   };
   for (const char* const option :
        {"tensile_strength", "cohesion", "mode_1_energy", "mode_2_energy"}) {
-    rules.push_back({std::string("material.*.") + option, joints, may_break});
+    rules.push_back({std::string("material.*.") + option, joints, breaks});
     rules.push_back({std::string("fracture.*.") + option, bond, is_bonded});
   }
   return rules;
 }
 
-const std::vector<Requirement> all = everything();
+const std::vector<Requirement> required = all_requirements();
 
 }  // namespace
 
 std::span<const Requirement> requirements() {
-  return all;
+  return required;
 }
 
 }  // namespace percolith::case_file

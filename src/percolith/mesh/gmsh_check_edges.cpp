@@ -12,10 +12,10 @@ namespace percolith::mesh {
 namespace {
 
 /// A triangle at an edge, filed under the edge's lower point.
-struct Side {
+struct EdgeSide {
   std::int32_t higher = 0;  ///< the edge's other point
   std::int32_t triangle = 0;
-  friend bool operator<(const Side& a, const Side& b) {
+  friend bool operator<(const EdgeSide& a, const EdgeSide& b) {
     return a.higher != b.higher ? a.higher < b.higher : a.triangle < b.triangle;
   }
 };
@@ -26,27 +26,27 @@ class EdgeTable {
 public:
   explicit EdgeTable(const GmshMesh& mesh)
       : first_(mesh.points.size() + 1, 0), sides_(3 * mesh.triangles.size()) {
-    for_each_edge(mesh, [&](std::int32_t lower, Side) { ++first_[at(lower) + 1]; });
+    for_each_edge(mesh, [&](std::int32_t lower, EdgeSide) { ++first_[at(lower) + 1]; });
     for (std::size_t i = 1; i < first_.size(); ++i) {
       first_[i] += first_[i - 1];
     }
     std::vector<std::int32_t> next(first_.begin(), first_.end() - 1);
     for_each_edge(mesh,
-                  [&](std::int32_t lower, Side side) { sides_[at(next[at(lower)]++)] = side; });
+                  [&](std::int32_t lower, EdgeSide side) { sides_[at(next[at(lower)]++)] = side; });
     for (std::size_t i = 0; i + 1 < first_.size(); ++i) {
       std::sort(sides_.begin() + first_[i], sides_.begin() + first_[i + 1]);
     }
   }
 
-  [[nodiscard]] std::span<const Side> sides(std::int32_t lower) const {
+  [[nodiscard]] std::span<const EdgeSide> sides(std::int32_t lower) const {
     const auto begin = first_[at(lower)];
     return std::span(sides_).subspan(at(begin), at(first_[at(lower) + 1] - begin));
   }
 
   [[nodiscard]] bool has_edge(std::int32_t a, std::int32_t b) const {
     const auto [lower, higher] = std::minmax(a, b);
-    const std::span<const Side> all = sides(lower);
-    const auto found = std::lower_bound(all.begin(), all.end(), Side{higher, 0});
+    const std::span<const EdgeSide> all = sides(lower);
+    const auto found = std::lower_bound(all.begin(), all.end(), EdgeSide{higher, 0});
     return found != all.end() && found->higher == higher;
   }
 
@@ -57,15 +57,15 @@ private:
   static void for_each_edge(const GmshMesh& mesh, Visit visit) {
     std::int32_t triangle = 0;
     for (const auto& [a, b, c] : mesh.triangles) {
-      visit(std::min(a, b), Side{std::max(a, b), triangle});
-      visit(std::min(b, c), Side{std::max(b, c), triangle});
-      visit(std::min(c, a), Side{std::max(c, a), triangle});
+      visit(std::min(a, b), EdgeSide{std::max(a, b), triangle});
+      visit(std::min(b, c), EdgeSide{std::max(b, c), triangle});
+      visit(std::min(c, a), EdgeSide{std::max(c, a), triangle});
       ++triangle;
     }
   }
 
   std::vector<std::int32_t> first_;
-  std::vector<Side> sides_;
+  std::vector<EdgeSide> sides_;
 };
 
 const Point& point_of(const GmshMesh& mesh, std::int32_t index) {
@@ -114,10 +114,11 @@ bool on_both_sides(const GmshMesh& mesh, std::int32_t a, std::int32_t b, std::in
 }
 
 /// Says what is wrong with the triangles at the edge from `lower` to the sides' `higher` point.
-[[noreturn]] void fail_edge(const GmshMesh& mesh, std::int32_t lower, std::span<const Side> sides) {
+[[noreturn]] void fail_edge(const GmshMesh& mesh, std::int32_t lower,
+                            std::span<const EdgeSide> sides) {
   const std::int32_t higher = sides.front().higher;
   std::vector<std::pair<std::int32_t, std::int32_t>> opposite;
-  for (const Side& side : sides) {
+  for (const EdgeSide& side : sides) {
     opposite.emplace_back(opposite_point(mesh, side.triangle, lower, higher), side.triangle);
   }
   std::sort(opposite.begin(), opposite.end());
@@ -140,7 +141,7 @@ bool on_both_sides(const GmshMesh& mesh, std::int32_t a, std::int32_t b, std::in
 }
 
 /// Checks an edge of two or more triangles.
-void check_edge(const GmshMesh& mesh, std::int32_t lower, std::span<const Side> sides) {
+void check_edge(const GmshMesh& mesh, std::int32_t lower, std::span<const EdgeSide> sides) {
   const std::int32_t higher = sides[0].higher;
   const std::int32_t one = opposite_point(mesh, sides[0].triangle, lower, higher);
   const std::int32_t other = opposite_point(mesh, sides[1].triangle, lower, higher);
@@ -152,7 +153,7 @@ void check_edge(const GmshMesh& mesh, std::int32_t lower, std::span<const Side> 
 void check_sides(const GmshMesh& mesh, const EdgeTable& edges) {
   const auto points = static_cast<std::int32_t>(mesh.points.size());
   for (std::int32_t lower = 0; lower < points; ++lower) {
-    const std::span<const Side> all = edges.sides(lower);
+    const std::span<const EdgeSide> all = edges.sides(lower);
     for (std::size_t begin = 0; begin < all.size();) {
       std::size_t end = begin + 1;
       while (end < all.size() && all[end].higher == all[begin].higher) {

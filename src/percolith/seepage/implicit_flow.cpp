@@ -8,7 +8,7 @@
 namespace percolith::seepage {
 namespace {
 
-constexpr int most_iterations = 60;
+constexpr int most_corrections = 60;
 constexpr double saturation_tolerance = 1e-9;
 /// A front that fills a void is resolved by the mesh, not by the step: an error of saturation
 /// counts this much of an error of pressure.
@@ -78,7 +78,7 @@ void ImplicitFlow::prepare(const Model& model, double t, double dt) {
 bool ImplicitFlow::iterate(const Model& model, double dt, Execution& execution) {
   const double end = last_moment(time_ + dt);
   const double reference = model.reference_pressure();
-  for (iterations_ = 1; iterations_ <= most_iterations; ++iterations_) {
+  for (iterations_ = 1; iterations_ <= most_corrections; ++iterations_) {
     const bool linear = !active_.any_empty() && conditions_.seepage_face.empty();
     active_.hold(model, conditions_, end, state_);
     if (linear && factorised_dt_ == dt) {

@@ -16,7 +16,7 @@
 namespace percolith::seepage {
 namespace {
 
-constexpr int most_iterations = 200;
+constexpr int most_rounds = 200;
 
 void refuse_suction(const Model& model, const FlowGraph& graph, const GraphState& state,
                     std::string_view way_out) {
@@ -162,10 +162,10 @@ SteadyResult solve_steady(Model& model, Execution& execution, std::string_view w
     solve_once(model, graph, system, active, fields, execution);
     changed = active.update_faces(model, conditions, model.state.time, fields.rate,
                                   fields.no_storage, fields.inflow, fields.state);
-  } while (++result.iterations < most_iterations && changed);
+  } while (++result.iterations < most_rounds && changed);
   if (changed) {
-    throw SolverError(fmt::format("steady flow: the seepage faces did not settle in {} iterations",
-                                  most_iterations));
+    throw SolverError(
+        fmt::format("steady flow: the seepage faces did not settle in {} iterations", most_rounds));
   }
   refuse_suction(model, graph, fields.state, way_out);
   book_rates(model, conditions, active, fields.inflow, fields.rate);

@@ -19,11 +19,6 @@ namespace {
 using mechanics::JointState;
 using mesh::Index;
 
-Point centre_of(const mesh::Mesh& mesh, Index t) {
-  const auto p = mesh.triangle_points(t);
-  return (1.0 / 3.0) * (p[0] + p[1] + p[2]);
-}
-
 /// E of a body with joints on every edge over that of its triangles: 1/E_a = 1/E' + 1.73/p_f.
 double apparent_share(const mechanics::Model& model) {
   double least = 1.0;

@@ -17,11 +17,6 @@ bool is_there(const mechanics::Model& model, Index t) {
   return model.triangles.inverse_mass[at(t)] > 0.0;
 }
 
-Point centre_of(const mesh::Mesh& mesh, Index t) {
-  const auto p = mesh.triangle_points(t);
-  return (1.0 / 3.0) * (p[0] + p[1] + p[2]);
-}
-
 /// Whether a triangle of a joint was taken out, so that its other face is a wall.
 bool beside_removed(const mechanics::Model& model, Index joint) {
   const auto& corner = model.mesh.joint[at(joint)].corner;

@@ -12,11 +12,11 @@ namespace {
 
 using test::value_of;
 
-const test::Grid grid{.columns = 6, .rows = 6};
+const test::Grid block_grid{.columns = 6, .rows = 6};
 
-mesh::GmshMesh notched() {
-  mesh::GmshMesh mesh = test::make_grid(grid);
-  test::add_row_curve(grid, mesh, "notch", 3, 2, 4);
+mesh::GmshMesh notched_block() {
+  mesh::GmshMesh mesh = test::make_grid(block_grid);
+  test::add_row_curve(block_grid, mesh, "notch", 3, 2, 4);
   return mesh;
 }
 
@@ -56,7 +56,7 @@ TEST(CoupledRuns, AWellIsShutInAndFlowsBack) {
   setup.source["pump"].rate = {
       {0.0, 1e-3, 1.001e-3, 2e-3, 2.001e-3}, {2e-2, 2e-2, 0.0, 0.0, -1e-2}, Interpolation::linear};
   test::SolidRecorder recorder;
-  const Summary summary = test::run(setup, notched(), recorder);
+  const Summary summary = test::run(setup, notched_block(), recorder);
   const auto injected = [&](double time) {
     return value_of(row_at(recorder.history, time).mechanics, "source.pump.volume_m2");
   };
@@ -88,7 +88,7 @@ TEST(CoupledRuns, WhatLeaksIsWhatThePoresHoldMore) {
   simulation::Setup setup = pumped();
   setup.source["pump"].rate = Schedule::constant(2e-2);
   test::SolidRecorder recorder;
-  (void)test::run(setup, notched(), recorder);
+  (void)test::run(setup, notched_block(), recorder);
   const HistoryRow& first = recorder.history.front();
   const double in_cracks_at_first = value_of(first.mechanics, "crack_fluid_m2");
   const double in_pores_at_first = first.balance.in_place - in_cracks_at_first;
@@ -122,7 +122,7 @@ TEST(CoupledRuns, ABlockUnderInSituStressOnAllSidesIsHeldInPlace) {
   setup.material["sandstone"].rock.permeability = {1e-18, 1e-18, 0.0};
   setup.source["pump"].rate = Schedule::constant(1e-6);
   test::SolidRecorder recorder;
-  const Summary summary = test::run(setup, notched(), recorder);
+  const Summary summary = test::run(setup, notched_block(), recorder);
   EXPECT_EQ(summary.end_time, 60.0);
   const HistoryRow& last = recorder.history.back();
   EXPECT_GT(last.maximum_crack_pressure, 1e6);
@@ -140,13 +140,13 @@ TEST(CoupledRuns, NothingRestsWhileAPumpRuns) {
   setup.time.end = 5e-3;
   setup.source["pump"].rate = Schedule::constant(1e-3);
   test::SolidRecorder running;
-  EXPECT_FALSE(test::run(setup, notched(), running).reached_rest);
+  EXPECT_FALSE(test::run(setup, notched_block(), running).reached_rest);
   // The same well shut in comes to rest once its pressure has fallen to that of the rock.
   setup.fracture["notch"].fracture.exchange = 1e-6;
   setup.source["pump"].rate = {{0.0, 1e-4}, {1e-2, 0.0}, Interpolation::linear};
   setup.time.end = 1.0;
   test::SolidRecorder shut_in;
-  const Summary summary = test::run(setup, notched(), shut_in);
+  const Summary summary = test::run(setup, notched_block(), shut_in);
   EXPECT_TRUE(summary.reached_rest);
   EXPECT_LT(summary.end_time, 1.0);
 }
@@ -168,7 +168,7 @@ simulation::Setup squeezed_shut(double minimum_aperture) {
 
 TEST(CoupledRuns, ACrackPressedShutKeepsItsLeastRoom) {
   test::SolidRecorder recorder;
-  const Summary summary = test::run(squeezed_shut(5e-7), notched(), recorder);
+  const Summary summary = test::run(squeezed_shut(5e-7), notched_block(), recorder);
   EXPECT_EQ(summary.end_time, 1e-3);
   const HistoryRow& last = recorder.history.back();
   // Of its two joints the ends in the middle are shut, those at the tips cannot close.
@@ -180,7 +180,7 @@ TEST(CoupledRuns, ACrackPressedShutKeepsItsLeastRoom) {
 TEST(CoupledRuns, ACrackWithoutAnyRoomIsNamed) {
   test::SolidRecorder recorder;
   try {
-    (void)test::run(squeezed_shut(0.0), notched(), recorder);
+    (void)test::run(squeezed_shut(0.0), notched_block(), recorder);
     FAIL() << "fluid without room was computed";
   } catch (const SolverError& error) {
     const std::string said = error.what();
@@ -198,7 +198,7 @@ TEST(CoupledRuns, ASteadyStartWithTooMuchSuctionTellsWhatHelps) {
   setup.boundary["drain"].pressure = Schedule::constant(1e5);
   test::SolidRecorder recorder;
   try {
-    (void)test::run(setup, notched(), recorder);
+    (void)test::run(setup, notched_block(), recorder);
     FAIL() << "suction below the cavitation pressure was found";
   } catch (const SolverError& error) {
     const std::string said = error.what();
