@@ -9,6 +9,7 @@ from pathlib import Path
 
 import formulas
 import numpy as np
+from foundation_formulas import FlatDam
 from percolith import RunDirectory
 from percolith.run_directory import Table, read_table
 from program import ROOT, Result
@@ -31,7 +32,8 @@ def _formula(name: str, rows: Table, time: float) -> np.ndarray:
     return {"strip": lambda: formulas.strip(x, time),
             "radial": lambda: formulas.radial(np.hypot(x, y)),
             "semi_infinite": lambda: formulas.semi_infinite(abs(x), time),
-            "slab": lambda: formulas.slab(abs(x), time)}[name]()
+            "slab": lambda: formulas.slab(abs(x), time),
+            "dam_on_fracture": lambda: FlatDam().with_fracture(x, 12.0)}[name]()
 
 
 def profile(criterion: dict, run: RunDirectory, example: str) -> Profile:

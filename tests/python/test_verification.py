@@ -96,6 +96,24 @@ def test_breakdown_bounds():
     assert f.breakdown_open_wall_by_total_stress(*stresses, 0.375) == pytest.approx(45.0)
 
 
+def test_uplift_below_a_dam():
+    from foundation_formulas import FlatDam
+
+    dam, x = FlatDam(head=30.0, half=20.0), np.linspace(-19.9, 19.9, 400)
+    assert dam.bare(0.0) == pytest.approx(15.0)
+    for shallow in (dam.with_fracture(x, 1e-4), dam.with_wall(x, -12.0, 1e-4)):
+        assert shallow == pytest.approx(dam.bare(x), abs=1e-3)
+    # In the middle the axis has half the head anyway: a drain of this head changes nothing.
+    assert dam.with_drain(x, 0.0, 12.0, 15.0) == pytest.approx(dam.bare(x), rel=1e-9)
+    # Both ways to bring the head of the reservoir to the heel agree, the drain next to it.
+    near = dam.with_drain(x[20:], -20.0 + 1e-3, 12.0, 30.0)
+    assert near == pytest.approx(dam.with_fracture(x[20:], 12.0), abs=5e-3)
+    # The two faces of a wall, where heel and toe are mapped to -208^0.5 and 1168^0.5.
+    assert dam.with_wall(-12.0 - 1e-9, -12.0, 12.0) == pytest.approx(25.700, abs=1e-3)
+    assert dam.with_wall(-12.0 + 1e-9, -12.0, 12.0) == pytest.approx(14.165, abs=1e-3)
+    assert dam.discharge(1e-7, 100.0) == pytest.approx(1e-7 * 30 / np.pi * np.log(5 + 24**0.5))
+
+
 def test_measures():
     import criteria
 
