@@ -167,6 +167,19 @@ def test_criteria_on_the_history(history_run, criterion, value):
     assert criteria.history_value(criterion, history_run) == pytest.approx(value)
 
 
+@pytest.mark.parametrize("criterion, value", [
+    ({"measure": "outside", "axis": 90, "within": 45}, 0.25),
+    ({"measure": "outside", "axis": 90, "within": 20}, 0.5),
+    ({"measure": "reach", "axis": 90, "within": 45, "expected": 2.0}, 0.25),
+    ({"measure": "outside", "axis": 0, "within": 45}, float("inf"))])
+def test_criteria_on_broken_joints(criterion, value):
+    import criteria
+    from types import SimpleNamespace
+
+    events = {"x_m": np.array([0.0, 0.0, 0.5, 1.0]), "y_m": np.array([3.0, -2.0, 1.0, 0.5])}
+    assert criteria.event_value(criterion, SimpleNamespace(events=events)) == pytest.approx(value)
+
+
 def test_settings_are_written_as_the_command_line_reads_them():
     from program import in_toml
 
@@ -190,6 +203,33 @@ def test_formulas_of_solids():
     assert solid.mohr_coulomb(5e6, 10e6, np.pi / 6) == pytest.approx(49.641e6, rel=1e-5)
     assert solid.slide_distance(2.0, np.radians(35), np.radians(30)) == pytest.approx(1.97453, 1e-4)
     assert solid.slide_distance(1.0, np.radians(25), np.radians(30)) == 0.0
+    assert solid.plane_failure(1e6, np.radians(35), np.radians(35)) == pytest.approx(1.0)
+    wet = solid.plane_failure(1e6, np.radians(30), np.radians(45), 0.1e6, 0.05e6)
+    assert wet == pytest.approx((3**0.5 / 2 - 0.1 - 0.025) / (0.5 + 0.05 * 3**0.5 / 2))
+
+
+def test_how_deep_a_hole_is_overstressed():
+    import solid_formulas as solid
+
+    assert solid.overstressed_depth(1.0, 1.0, 1.0) == pytest.approx(2**0.5)
+    assert solid.overstressed_depth(1.0, 2.0, 5.1) == 1.0  # the wall has 3*2 - 1
+    assert solid.overstressed_depth(1.0, 2.0, 0.9) == float("inf")
+    depth = solid.overstressed_depth(12.5e6, 25e6, 26e6)
+    radial, hoop = solid.tunnel_stress(depth, -12.5e6, -25e6, 1.0)
+    assert radial - hoop == pytest.approx(26e6)
+    # Pressure inside takes 2 p/r^2 off the difference.
+    depth = solid.overstressed_depth(1.0, 1.0, 1.0, 0.5)
+    assert depth == pytest.approx(1.0)
+    assert solid.overstressed_depth(2.0, 2.0, 1.0, 0.5) == pytest.approx(3**0.5)
+
+
+def test_how_wide_a_breakout_is():
+    import solid_formulas as solid
+
+    # Without friction the wall bears 2 c beside the pressure: 40 + 40 cos(2 a) - 0 = 60.
+    assert solid.breakout_half_width(10.0, 30.0, 0.0, 30.0, 0.0) == pytest.approx(np.pi / 6)
+    assert solid.breakout_half_width(10.0, 30.0, 0.0, 40.1, 0.0) == 0.0
+    assert solid.breakout_half_width(10.0, 30.0, 10.0, 20.0, 0.0) == pytest.approx(np.pi / 6)
 
 
 def test_beams_and_mixed_mode():
