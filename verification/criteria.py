@@ -85,10 +85,10 @@ def history_value(criterion: dict, run: RunDirectory) -> float:
 
 
 def event_value(criterion: dict, run: RunDirectory) -> float:
-    """Of the places where joints broke, by their angle from a line through the origin at `axis` degrees:
-    the share of those further than `within` degrees from it (measure "outside"), or, of those within,
-    the largest distance from the origin, mean over both ends of the line, as the relative difference
-    from `expected` ("reach"). Infinite where nothing broke."""
+    """Of the places where joints broke, by their angle from a line through the origin at `axis`
+    degrees: the share of those further than `within` degrees from it (measure "outside"), or, of
+    those within, the largest distance from the origin, mean over both ends of the line, as the
+    relative difference from `expected` ("reach"). Infinite where nothing broke at an end."""
     places = run.events["x_m"] + 1j * run.events["y_m"]
     places = places * np.exp(-1j * np.radians(criterion["axis"]))
     inside = abs(places.imag) <= abs(places.real) * np.tan(np.radians(criterion["within"]))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Seepage below a dam with a flat base on rock without end, by conformal maps; SI units, heads above
-those of the tail water."""
+"""Seepage below a dam with a flat base on rock without end, by conformal maps; SI units, heads
+above that of the tail water."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ POINTS, WEIGHTS = np.polynomial.legendre.leggauss(60)
 
 @dataclass(frozen=True)
 class FlatDam:
-    """A dam on y = 0 from -half (heel) to half (toe), impervious. Below its base may be one vertical
+    """A dam on y = 0 from -half (heel) to half (toe), impervious. Below its base may be a vertical
     line down to y = -depth: sqrt(z^2 + depth^2), z from the foot of the line, opens the line. Its
     faces come to lie between -depth and depth, and the rock is a half plane again."""
 

@@ -106,10 +106,10 @@ def plane_failure(weight: float, dip: float, friction_angle: float, uplift: floa
 def overstressed_depth(smaller: float, larger: float, strength: float,
                        pressure: float = 0.0) -> float:
     """Distance from the axis, over the radius of a circular hole under `pressure`, within which
-    principal stresses differ by more than `strength` in the direction of the smaller far stress (Kirsch;
-    far stresses as positive compression). The estimate of the broken zone of Martin, Kaiser and
-    McCreath (1999): brittle rock loses its cohesion before friction holds it. 1 where even the wall
-    bears it, infinite where the far stress does not."""
+    principal stresses differ by more than `strength` in the direction of the smaller far stress
+    (Kirsch; far stresses as positive compression). The estimate of the broken zone of Martin,
+    Kaiser and McCreath (1999): brittle rock loses its cohesion before friction holds it. 1 where
+    even the wall bears it, infinite where the far stress does not."""
     # Hoop less radial stress at r: (s + l - 2 p) q + (l - s)/2 (2 - 4 q + 6 q^2) with q = 1/r^2.
     total, half = smaller + larger - 2 * pressure, (larger - smaller) / 2
     roots = np.roots([6 * half, total - 4 * half, 2 * half - strength])
@@ -119,7 +119,7 @@ def overstressed_depth(smaller: float, larger: float, strength: float,
 def breakout_half_width(smaller: float, larger: float, pressure: float, cohesion: float,
                         friction_angle: float) -> float:
     """Angle (rad) from the direction of the smaller far stress within which the stress round a hole
-    under `pressure` is more than the wall bears (Kirsch, Mohr and Coulomb); 0 where it bears all."""
+    under `pressure` is more than the wall bears (Kirsch, Mohr and Coulomb); 0 where it holds."""
     strength = mohr_coulomb(pressure, cohesion, friction_angle)
     # Stress round the hole: s + l + 2 (l - s) cos(2 angle) - p.
     cosine = (strength + pressure - smaller - larger) / (2 * (larger - smaller))

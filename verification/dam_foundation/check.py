@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Uplift on the base of a dam on whole rock, with an open fracture at its heel, a cut-off wall and a
-drain, each against its exact solution."""
+"""Uplift on the base of a dam on whole rock, with an open fracture at its heel, a cut-off wall and
+a drain, each against its exact solution."""
 
 from pathlib import Path
 
@@ -60,9 +60,9 @@ def check(chapter: Chapter, work: Path) -> None:
                         np.sqrt(np.mean((head - exact) ** 2)) / DAM.head, 0.01)
     uplift = {name: head.mean() for name, (_, head, _) in curves.items()}
     order = [uplift[name] for name in ("drain", "wall", "whole", "fracture")]
-    chapter.at_least("order", "drain, wall, whole rock, fracture: least rise of the uplift from one "
-                     "to the next over that on whole rock", np.diff(order).min() / uplift["whole"],
-                     0.05)
+    chapter.at_least("order", "drain, wall, whole rock, fracture: least rise of the uplift from "
+                     "one to the next over that on whole rock",
+                     np.diff(order).min() / uplift["whole"], 0.05)
     chapter.add_figure(base_figure(curves), "Head along the base; marks are exact")
     for path in draw(shipped.results, field="head", output=work / "head.png"):
         chapter.add_picture(path, "Hydraulic head with the open fracture at the heel")
@@ -70,7 +70,8 @@ def check(chapter: Chapter, work: Path) -> None:
 
 def base_figure(curves: dict):
     figure, axes = plt.subplots(figsize=(8, 4.4), layout="constrained")
-    for (name, (x, head, exact)), colour in zip(curves.items(), plt.cm.viridis([0.0, 0.3, 0.6, 0.9])):
+    colours = plt.cm.viridis([0.0, 0.3, 0.6, 0.9])
+    for (name, (x, head, exact)), colour in zip(curves.items(), colours):
         axes.plot(x, head, color=colour,
                   label=f"{name}: {head.mean() * WEIGHT * BASE / 1e6:.2f} MN/m")
         axes.plot(x[::16], exact[::16], "o", markersize=4, markerfacecolor="none", color=colour)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A block on a joint in a rock slope: stays and slides on the two sides of limit equilibrium, dry and
-with water in the joint and in the crack behind it."""
+"""A block on a joint in a rock slope: stays and slides on the two sides of limit equilibrium, dry
+and with water in the joint and in the crack behind it."""
 
 from pathlib import Path
 
@@ -22,7 +22,7 @@ DEPTH = HEIGHT - OUT - REACH * np.tan(DIP)  # m, of the crack
 # The triangle between face, joint and crack less what sticks out above the ground.
 AREA = 0.5 * (HEIGHT - OUT + DEPTH) * REACH - 0.5 * (HEIGHT - OUT) ** 2 / np.tan(FACE)
 WEIGHT = AREA * ROCK  # N/m
-UPLIFT = 0.5 * WATER * DEPTH * REACH / np.cos(DIP)  # N/m, of a pressure that falls to none at the face
+UPLIFT = 0.5 * WATER * DEPTH * REACH / np.cos(DIP)  # N/m, of pressure that falls evenly
 PUSH = 0.5 * WATER * DEPTH**2  # N/m
 
 
@@ -97,7 +97,8 @@ def motion(shipped, runs: dict):
     left.grid(alpha=0.3)
     left.legend(frameon=False, fontsize="small")
     frame = shipped.frame()
-    speed = np.hypot(*frame.matrix.point_data["velocity_m_per_s"].T)[frame.matrix.cells].mean(axis=1)
+    speed = np.hypot(*frame.matrix.point_data["velocity_m_per_s"].T)
+    speed = speed[frame.matrix.cells].mean(axis=1)
     rock = solid.draw_rock(right, frame, speed, magnify=1.0)
     solid.colour_bar(figure, right, rock, "Velocity (m/s)")
     return figure

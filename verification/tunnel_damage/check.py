@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A tunnel under a large vertical stress: place and depth of the broken zone beside it, and none where
-the rock is strong enough."""
+"""A tunnel under a large vertical stress: place and depth of the broken zone beside it, and none
+where the rock is strong enough."""
 
 from pathlib import Path
 
@@ -15,7 +15,7 @@ TITLE = "Tunnel with a damaged zone: place and depth by the stresses of Kirsch"
 RADIUS, HORIZONTAL, VERTICAL = 2.0, 12.5e6, 25e6  # m, Pa
 FRICTION = np.radians(30)
 LARGEST = 3 * VERTICAL - HORIZONTAL  # Pa, at the side walls
-ENOUGH = 1.1 * LARGEST / mohr_coulomb(0.0, 1.0, FRICTION)  # Pa, cohesion that the walls do not use up
+ENOUGH = 1.1 * LARGEST / mohr_coulomb(0.0, 1.0, FRICTION)  # Pa, cohesion
 
 
 def check(chapter: Chapter, work: Path) -> None:
@@ -29,14 +29,14 @@ def check(chapter: Chapter, work: Path) -> None:
         chapter.at_most(f"depth.{name}", f"{name} wall: radii that the broken zone reaches over "
                         f"{expected:.3f}, less 1", abs(reach / expected - 1), 0.25)
     kinetic = run.history["kinetic_J_per_m"]
-    chapter.at_most("rest", "kinetic energy at the end over the largest", kinetic[-1] / kinetic.max(),
-                    0.1)
+    chapter.at_most("rest", "kinetic energy at the end over the largest",
+                    kinetic[-1] / kinetic.max(), 0.1)
     strong = run_example("tunnel_damage", work, "strong", {"material.near.cohesion": ENOUGH,
                          "material.near.tensile_strength": ENOUGH / 5,
                          "material.near.mode_1_energy": 120 * (ENOUGH / 7.5e6) ** 2,
                          "material.near.mode_2_energy": 2700 * (ENOUGH / 7.5e6) ** 2})
-    chapter.at_most("strong.broken", "strength of 1.1 times the largest stress of Kirsch: joints that "
-                    "broke", strong.results.summary["mechanics"]["broken_joints"], 0)
+    chapter.at_most("strong.broken", "strength of 1.1 times the largest stress of Kirsch: joints "
+                    "that broke", strong.results.summary["mechanics"]["broken_joints"], 0)
     chapter.at_most("strong.energy", "the same: error of the energy balance", strong.energy_error,
                     1e-3)
     chapter.add_figure(zone(run, expected), "Joints that broke, by how they broke; dashed: as "
