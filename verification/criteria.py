@@ -9,6 +9,7 @@ from pathlib import Path
 
 import formulas
 import numpy as np
+from foundation_formulas import FlatDam
 from percolith import RunDirectory
 from percolith.run_directory import Table, read_table
 from program import ROOT, Result
@@ -31,7 +32,8 @@ def _formula(name: str, rows: Table, time: float) -> np.ndarray:
     return {"strip": lambda: formulas.strip(x, time),
             "radial": lambda: formulas.radial(np.hypot(x, y)),
             "semi_infinite": lambda: formulas.semi_infinite(abs(x), time),
-            "slab": lambda: formulas.slab(abs(x), time)}[name]()
+            "slab": lambda: formulas.slab(abs(x), time),
+            "dam_on_fracture": lambda: FlatDam().with_fracture(x, 12.0)}[name]()
 
 
 def profile(criterion: dict, run: RunDirectory, example: str) -> Profile:
@@ -82,6 +84,22 @@ def history_value(criterion: dict, run: RunDirectory) -> float:
     return float(abs(value) / criterion.get("scale", 1.0))
 
 
+def event_value(criterion: dict, run: RunDirectory) -> float:
+    """Of the places where joints broke, by their angle from a line through the origin at `axis`
+    degrees: the share of those further than `within` degrees from it (measure "outside"), or, of
+    those within, the largest distance from the origin, mean over both ends of the line, as the
+    relative difference from `expected` ("reach"). Infinite where nothing broke at an end."""
+    places = run.events["x_m"] + 1j * run.events["y_m"]
+    places = places * np.exp(-1j * np.radians(criterion["axis"]))
+    inside = abs(places.imag) <= abs(places.real) * np.tan(np.radians(criterion["within"]))
+    ends = [abs(places[inside & (places.real * sign > 0)]) for sign in (1, -1)]
+    if not all(len(end) for end in ends):
+        return float("inf")
+    if criterion["measure"] == "outside":
+        return float(1 - inside.mean())
+    return float(abs(np.mean([end.max() for end in ends]) / criterion["expected"] - 1))
+
+
 def evaluate(example: str, result: Result) -> list[tuple[str, float, float]]:
     """(name, value, limit) for each criterion of an example."""
     expected = read(example)
@@ -100,6 +118,9 @@ def evaluate(example: str, result: Result) -> list[tuple[str, float, float]]:
     for criterion in expected.get("history", []):
         value = history_value(criterion, result.results)
         found.append((criterion["name"], value, criterion["limit"]))
+    for criterion in expected.get("event", []):
+        found.append((criterion["name"], event_value(criterion, result.results),
+                      criterion["limit"]))
     for criterion in expected.get("probe", []):
         value = result.results.probe(criterion["probe"]).at_time()[criterion["quantity"]].mean()
         found.append((criterion["name"], abs(value / criterion["expected"] - 1),

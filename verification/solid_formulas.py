@@ -92,3 +92,35 @@ def mixed_energy(direction: float, strength: float, cohesion: float, mode_1: flo
     opening, slip = mode_1 / (SOFTENING * strength), mode_2 / (SOFTENING * cohesion)
     end = 1 / np.hypot(np.cos(direction) / opening, np.sin(direction) / slip)
     return SOFTENING * end * (strength * np.cos(direction) + cohesion * np.sin(direction))
+
+
+def plane_failure(weight: float, dip: float, friction_angle: float, uplift: float = 0.0,
+                  push: float = 0.0) -> float:
+    """Factor of safety of a block on a plane that dips out of a slope, without cohesion (Hoek and
+    Bray): `weight`, `uplift` of the water on the plane and horizontal `push` of that in a crack
+    behind the block are forces per metre, N/m."""
+    normal = weight * np.cos(dip) - uplift - push * np.sin(dip)
+    return float(normal * np.tan(friction_angle) / (weight * np.sin(dip) + push * np.cos(dip)))
+
+
+def overstressed_depth(smaller: float, larger: float, strength: float,
+                       pressure: float = 0.0) -> float:
+    """Distance from the axis, over the radius of a circular hole under `pressure`, within which
+    principal stresses differ by more than `strength` in the direction of the smaller far stress
+    (Kirsch; far stresses as positive compression). The estimate of the broken zone of Martin,
+    Kaiser and McCreath (1999): brittle rock loses its cohesion before friction holds it. 1 where
+    even the wall bears it, infinite where the far stress does not."""
+    # Hoop less radial stress at r: (s + l - 2 p) q + (l - s)/2 (2 - 4 q + 6 q^2) with q = 1/r^2.
+    total, half = smaller + larger - 2 * pressure, (larger - smaller) / 2
+    roots = np.roots([6 * half, total - 4 * half, 2 * half - strength])
+    return float(max(1.0, roots.real.max() ** -0.5)) if strength > 2 * half else float("inf")
+
+
+def breakout_half_width(smaller: float, larger: float, pressure: float, cohesion: float,
+                        friction_angle: float) -> float:
+    """Angle (rad) from the direction of the smaller far stress within which the stress round a hole
+    under `pressure` is more than the wall bears (Kirsch, Mohr and Coulomb); 0 where it holds."""
+    strength = mohr_coulomb(pressure, cohesion, friction_angle)
+    # Stress round the hole: s + l + 2 (l - s) cos(2 angle) - p.
+    cosine = (strength + pressure - smaller - larger) / (2 * (larger - smaller))
+    return float(0.5 * np.arccos(np.clip(cosine, -1.0, 1.0)))

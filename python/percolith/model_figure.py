@@ -29,7 +29,7 @@ class ModelFigure:
         self._is_part = axes is not None
         if axes is None:
             size = (8.0, 8.0 * height / width + 1.75) if self.is_wide else (
-                6.4 * min(1.0, 1.25 * width / height) + 1.4, 6.4 * min(height / width, 1.25) + 0.6)
+                6.4 * min(1.0, 1.25 * width / height) + 1.4, 6.4 * min(height / width, 1.25) + 0.8)
             bar = np.array([0.0, _BAR] if self.is_wide else [_BAR, 0.0]) * second_bar
             _, axes = plt.subplots(figsize=np.array(size) + bar, layout="constrained")
         self.axes = axes

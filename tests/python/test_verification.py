@@ -96,6 +96,24 @@ def test_breakdown_bounds():
     assert f.breakdown_open_wall_by_total_stress(*stresses, 0.375) == pytest.approx(45.0)
 
 
+def test_uplift_below_a_dam():
+    from foundation_formulas import FlatDam
+
+    dam, x = FlatDam(head=30.0, half=20.0), np.linspace(-19.9, 19.9, 400)
+    assert dam.bare(0.0) == pytest.approx(15.0)
+    for shallow in (dam.with_fracture(x, 1e-4), dam.with_wall(x, -12.0, 1e-4)):
+        assert shallow == pytest.approx(dam.bare(x), abs=1e-3)
+    # In the middle the axis has half the head anyway: a drain of this head changes nothing.
+    assert dam.with_drain(x, 0.0, 12.0, 15.0) == pytest.approx(dam.bare(x), rel=1e-9)
+    # Both ways to bring the head of the reservoir to the heel agree, the drain next to it.
+    near = dam.with_drain(x[20:], -20.0 + 1e-3, 12.0, 30.0)
+    assert near == pytest.approx(dam.with_fracture(x[20:], 12.0), abs=5e-3)
+    # The two faces of a wall, where heel and toe are mapped to -208^0.5 and 1168^0.5.
+    assert dam.with_wall(-12.0 - 1e-9, -12.0, 12.0) == pytest.approx(25.700, abs=1e-3)
+    assert dam.with_wall(-12.0 + 1e-9, -12.0, 12.0) == pytest.approx(14.165, abs=1e-3)
+    assert dam.discharge(1e-7, 100.0) == pytest.approx(1e-7 * 30 / np.pi * np.log(5 + 24**0.5))
+
+
 def test_measures():
     import criteria
 
@@ -149,6 +167,19 @@ def test_criteria_on_the_history(history_run, criterion, value):
     assert criteria.history_value(criterion, history_run) == pytest.approx(value)
 
 
+@pytest.mark.parametrize("criterion, value", [
+    ({"measure": "outside", "axis": 90, "within": 45}, 0.25),
+    ({"measure": "outside", "axis": 90, "within": 20}, 0.5),
+    ({"measure": "reach", "axis": 90, "within": 45, "expected": 2.0}, 0.25),
+    ({"measure": "outside", "axis": 0, "within": 45}, float("inf"))])
+def test_criteria_on_broken_joints(criterion, value):
+    import criteria
+    from types import SimpleNamespace
+
+    events = {"x_m": np.array([0.0, 0.0, 0.5, 1.0]), "y_m": np.array([3.0, -2.0, 1.0, 0.5])}
+    assert criteria.event_value(criterion, SimpleNamespace(events=events)) == pytest.approx(value)
+
+
 def test_settings_are_written_as_the_command_line_reads_them():
     from program import in_toml
 
@@ -172,6 +203,33 @@ def test_formulas_of_solids():
     assert solid.mohr_coulomb(5e6, 10e6, np.pi / 6) == pytest.approx(49.641e6, rel=1e-5)
     assert solid.slide_distance(2.0, np.radians(35), np.radians(30)) == pytest.approx(1.97453, 1e-4)
     assert solid.slide_distance(1.0, np.radians(25), np.radians(30)) == 0.0
+    assert solid.plane_failure(1e6, np.radians(35), np.radians(35)) == pytest.approx(1.0)
+    wet = solid.plane_failure(1e6, np.radians(30), np.radians(45), 0.1e6, 0.05e6)
+    assert wet == pytest.approx((3**0.5 / 2 - 0.1 - 0.025) / (0.5 + 0.05 * 3**0.5 / 2))
+
+
+def test_how_deep_a_hole_is_overstressed():
+    import solid_formulas as solid
+
+    assert solid.overstressed_depth(1.0, 1.0, 1.0) == pytest.approx(2**0.5)
+    assert solid.overstressed_depth(1.0, 2.0, 5.1) == 1.0  # the wall has 3*2 - 1
+    assert solid.overstressed_depth(1.0, 2.0, 0.9) == float("inf")
+    depth = solid.overstressed_depth(12.5e6, 25e6, 26e6)
+    radial, hoop = solid.tunnel_stress(depth, -12.5e6, -25e6, 1.0)
+    assert radial - hoop == pytest.approx(26e6)
+    # Pressure inside takes 2 p/r^2 off the difference.
+    depth = solid.overstressed_depth(1.0, 1.0, 1.0, 0.5)
+    assert depth == pytest.approx(1.0)
+    assert solid.overstressed_depth(2.0, 2.0, 1.0, 0.5) == pytest.approx(3**0.5)
+
+
+def test_how_wide_a_breakout_is():
+    import solid_formulas as solid
+
+    # Without friction the wall bears 2 c beside the pressure: 40 + 40 cos(2 a) - 0 = 60.
+    assert solid.breakout_half_width(10.0, 30.0, 0.0, 30.0, 0.0) == pytest.approx(np.pi / 6)
+    assert solid.breakout_half_width(10.0, 30.0, 0.0, 40.1, 0.0) == 0.0
+    assert solid.breakout_half_width(10.0, 30.0, 10.0, 20.0, 0.0) == pytest.approx(np.pi / 6)
 
 
 def test_beams_and_mixed_mode():
