@@ -7,8 +7,8 @@ import pytest
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 NAMES = sorted(file.parent.name for file in EXAMPLES.glob("*/expected.toml"))
-LONG = {"brazilian", "compression", "double_cantilever", "perpendicular_cracks", "rubble",
-        "three_cracks", "tunnel"}  # see `make verify`
+LONG = {"brazilian", "compression", "double_cantilever", "multi_stage", "natural_fractures",
+        "perpendicular_cracks", "rubble", "three_cracks", "tunnel"}  # see `make verify`
 
 
 def test_every_example_has_criteria_and_a_page():
