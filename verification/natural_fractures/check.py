@@ -79,12 +79,13 @@ def threshold(chapter: Chapter, work: Path) -> list[tuple[float, float, float]]:
             run = run_example("natural_fractures", work, label, settings).results
             way = reach(run.frame())["middle"]
             found.append((compression, share * asked, way))
-            name = (f"{compression / 1e6:g} MPa on the natural fracture, friction {share * asked:.2f}, "
-                    f"{share:g} times Renshaw and Pollard's: way beyond it, m")
+            where = f"{compression / 1e6:g} MPa, friction {share * asked:.2f}"
             if share < 1:
-                chapter.at_most(f"stops_{label}", name, way, 0)
+                chapter.at_most(f"stops_{label}", f"{where}, {BELOW:g} times that of Renshaw and "
+                                "Pollard: way beyond the natural fracture, m", way, 0)
             else:
-                chapter.at_least(f"crosses_{label}", name, way, 0.02)
+                chapter.at_least(f"crosses_{label}", f"{where}, {ABOVE:g} times that of Renshaw and "
+                                 "Pollard: way beyond the natural fracture, m", way, 0.02)
     return found
 
 
