@@ -26,8 +26,8 @@ class PressedCrack:
         return 2 * np.pi * self.half**2 / self.modulus
 
     def normal_stress(self, along, across, pressure: float):
-        """Stress (Pa, tension positive) across the plane of the crack, at `along` from its middle in
-        that plane and `across` from the plane (m), that a pressure above the far stress adds."""
+        """Stress (Pa, tension positive) across the plane of the crack that a pressure above the far
+        stress adds, at `along` from its middle in that plane and `across` from the plane (m)."""
         place = np.asarray(along, dtype=float) + 1j * np.abs(across)
         root = np.sqrt(place - self.half) * np.sqrt(place + self.half)
         slope = -self.half**2 / root**3

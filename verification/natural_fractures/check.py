@@ -30,8 +30,8 @@ BELOW, ABOVE = 0.4, 1.3  # friction over that of the formula: it stops, it cross
 
 
 def reach(frame) -> dict[str, float]:
-    """How far (m) beyond the natural fracture cracks that hang together with the well have come: near
-    the place where both met, and near each end."""
+    """How far (m) beyond the natural fracture cracks that hang together with the well have come:
+    near the place where both met, and near each end."""
     points = branches(broken_lines(frame), {"well": [(0.0, 0.0)]}, BRIDGE)["well"]
     beyond, y = points[:, 0] - DISTANCE, points[:, 1]
     places = {"middle": abs(y) < 0.2, "upper": y > UP - 0.1, "lower": y < -DOWN + 0.1}
@@ -57,14 +57,14 @@ def outcomes(chapter: Chapter, mesh: str, runs: dict) -> None:
     slip = [abs(natural(runs[name].frame(), "slip_m")).max() for name in ("arrest", "crossing")]
     chapter.at_least(f"{key}.slips", f"{mesh}, arrest: largest slip of the natural fracture over "
                      "that where the crack crosses", slip[0] / slip[1], 20)
+    opening = {name: natural(run.frame(), "opening_m").mean() for name, run in runs.items()}
     chapter.at_least(f"{key}.leaves", f"{mesh}, offset: way of the cracks from both ends, m",
                      found["offset"]["upper"] + found["offset"]["lower"], 0.2)
     chapter.at_most(f"{key}.offset", f"{mesh}, offset: way beyond where both met over that from "
                     "the ends", found["offset"]["middle"]
                     / max(found["offset"]["upper"] + found["offset"]["lower"], 1e-9), 0.5)
     chapter.at_least(f"{key}.opens", f"{mesh}, offset: mean opening of the natural fracture over "
-                     "that where the crack stops", natural(runs["offset"].frame(), "opening_m").mean()
-                     / natural(runs["arrest"].frame(), "opening_m").mean(), 20)
+                     "that where the crack stops", opening["offset"] / opening["arrest"], 20)
 
 
 def threshold(chapter: Chapter, work: Path) -> list[tuple[float, float, float]]:
@@ -84,8 +84,8 @@ def threshold(chapter: Chapter, work: Path) -> list[tuple[float, float, float]]:
                 chapter.at_most(f"stops_{label}", f"{where}, {BELOW:g} times that of Renshaw and "
                                 "Pollard: way beyond the natural fracture, m", way, 0)
             else:
-                chapter.at_least(f"crosses_{label}", f"{where}, {ABOVE:g} times that of Renshaw and "
-                                 "Pollard: way beyond the natural fracture, m", way, 0.02)
+                chapter.at_least(f"crosses_{label}", f"{where}, {ABOVE:g} times that of Renshaw "
+                                 "and Pollard: way beyond the natural fracture, m", way, 0.02)
     return found
 
 
