@@ -25,6 +25,14 @@ class PressedCrack:
         """Volume per pressure, both wings, m2/Pa."""
         return 2 * np.pi * self.half**2 / self.modulus
 
+    def normal_stress(self, along, across, pressure: float):
+        """Stress (Pa, tension positive) across the plane of the crack that a pressure above the far
+        stress adds, at `along` from its middle in that plane and `across` from the plane (m)."""
+        place = np.asarray(along, dtype=float) + 1j * np.abs(across)
+        root = np.sqrt(place - self.half) * np.sqrt(place + self.half)
+        slope = -self.half**2 / root**3
+        return pressure * ((place / root - 1).real + np.abs(across) * slope.imag)
+
     def sealed_pressure(self, injected: float, room: float, fluid_modulus: float) -> float:
         """After `injected` m2 of fluid came into a sealed crack that had held `room` m2 of it at
         rest; for injected << room the fluid is linear, as is the rock."""
@@ -34,6 +42,20 @@ class PressedCrack:
 def growth_pressure(toughness: float, half: float) -> float:
     """Pressure at which a crack of this half-length grows (Griffith)."""
     return toughness / np.sqrt(np.pi * half)
+
+
+def crossing_ratio(friction):
+    """Compression of an interface over tensile strength and compression across a crack that meets
+    it at a right angle, from which on the crack crosses it (Renshaw and Pollard 1995); `friction`
+    is the coefficient of the interface."""
+    return (0.35 + 0.35 / np.asarray(friction)) / 1.06
+
+
+def crossing_friction(ratio):
+    """The coefficient of friction from which on a crack crosses an interface at that ratio: the
+    inverse of `crossing_ratio`, infinite where none is enough."""
+    excess = 1.06 * np.asarray(ratio, dtype=float) - 0.35
+    return np.where(excess > 0, 0.35 / np.where(excess > 0, excess, 1), np.inf)
 
 
 @dataclass(frozen=True)

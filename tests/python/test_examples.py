@@ -7,8 +7,9 @@ import pytest
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 NAMES = sorted(file.parent.name for file in EXAMPLES.glob("*/expected.toml"))
-LONG = {"brazilian", "breakout", "compression", "double_cantilever", "perpendicular_cracks",
-        "rubble", "slope", "three_cracks", "tunnel", "tunnel_damage"}  # see `make verify`
+LONG = {"brazilian", "breakout", "compression", "double_cantilever", "multi_stage",
+        "natural_fractures", "perpendicular_cracks", "rubble", "slope", "three_cracks", "tunnel",
+        "tunnel_damage"}  # see `make verify`
 
 
 def test_every_example_has_criteria_and_a_page():

@@ -87,6 +87,27 @@ def test_cracks_that_a_fluid_opens():
     assert crack.compliance * driven.pressure(10.0) == pytest.approx(1e-3)
 
 
+def test_stress_beside_a_pressed_crack():
+    from fracture_formulas import PressedCrack
+
+    crack = PressedCrack(half=0.5, modulus=1.0)
+    beside = np.array([0.1, 0.4, 2.0])
+    known = (1 + (0.5 / beside) ** 2) ** -1.5 - 1  # in the line through its middle
+    for sign in (-1, 1):
+        assert crack.normal_stress(0.0, sign * beside, 2e6) == pytest.approx(2e6 * known)
+    assert crack.normal_stress([-0.4, 0.3], 0.0, 2e6) == pytest.approx(-2e6)  # on its faces
+    ahead = 0.6 / np.sqrt(0.6**2 - 0.5**2) - 1
+    assert crack.normal_stress([-0.6, 0.6], 0.0, 2e6) == pytest.approx(2e6 * ahead)
+
+
+def test_crossing_of_an_interface():
+    from fracture_formulas import crossing_friction, crossing_ratio
+
+    assert crossing_ratio(0.5) == pytest.approx(1.05 / 1.06)
+    assert crossing_friction(crossing_ratio([0.2, 0.8])) == pytest.approx([0.2, 0.8])
+    assert np.isinf(crossing_friction(0.33))
+
+
 def test_breakdown_bounds():
     import fracture_formulas as f
 
