@@ -41,6 +41,10 @@ function showBar(bar, field) {
   const strip = made("div", "strip"), [low, high] = field.ends.map((end) => end / field.factor);
   strip.style.background = `linear-gradient(to right, ${stops.join(",")})`;
   label.textContent += field.unit ? ` (${field.unit})` : "";
+  strip.classList.toggle("below", ["min", "both"].includes(field.beyond));
+  strip.classList.toggle("above", ["max", "both"].includes(field.beyond));
+  strip.style.setProperty("--low", stops[0]);
+  strip.style.setProperty("--high", stops[32]);
   for (const value of ticks(low, high)) {
     const tick = made("span", "tick", String(value).replace("-", "\u2212"));
     tick.style.left = `${100 * (value - low) / (high - low)}%`;

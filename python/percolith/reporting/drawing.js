@@ -12,6 +12,7 @@ in float share, lacks;
 in vec3 corner;
 out vec4 colour;
 void main() {
+  if (lacks > 0.5 && absent.r < 0.0) discard;
   float place = (clamp(share, 0.0, 1.0) * (tableSize - 1.0) + 0.5) / tableSize;
   vec3 shown = lacks > 0.5 ? absent : texture(colours, vec2(place, 0.5)).rgb;
   vec3 distance = corner / fwidth(corner);

@@ -6,13 +6,12 @@ from __future__ import annotations
 import math
 import re
 
-from percolith.units import Scale, format_time, length_scale, pressure_scale
+from percolith.units import Scale, length_scale, pressure_scale, time_scale
 
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _DIGITS = 5
 
-# Endings of the names of results, and what they mean in words of a unit. Volumes and energies are
-# those of a slice of one metre.
+# Endings of the names of results, longer ones before those they end with.
 _ENDINGS = [("_m2_per_s", "m²/s"), ("_m_per_s", "m/s"), ("_J_per_m", "J/m"), ("_N_per_m", "N/m"),
             ("_m2", "m²"), ("_Pa", "Pa"), ("_s", "s"), ("_m", "m")]
 
@@ -33,7 +32,7 @@ def number_text(value: float) -> str:
     if "e" in text:
         mantissa, power = text.split("e")
         power = f"10{str(int(power)).translate(_RAISED)}"
-        text = power if mantissa == "1" else f"{mantissa} × {power}"
+        text = power if mantissa == "1" else f"{mantissa}\N{NO-BREAK SPACE}×\N{NO-BREAK SPACE}{power}"
     return text.replace("-", "\N{MINUS SIGN}")
 
 
@@ -42,6 +41,8 @@ def _suiting(value: float, unit: str) -> Scale:
         return pressure_scale([value])
     if unit == "m" and abs(value) >= 1e-9:
         return length_scale([value])
+    if unit == "s" and abs(value) >= 1e-9:
+        return time_scale([value]) if abs(value) >= 1e-6 else Scale(1e-9, "ns")
     if unit == "rad":
         return Scale(math.pi / 180, "°")
     return Scale(1.0, unit)
@@ -51,16 +52,11 @@ def quantity_text(value: float, unit: str) -> str:
     """A value in SI in the unit that suits its size."""
     if isinstance(value, int) or not math.isfinite(value):
         return f"{number_text(value)} {unit_text(unit)}".strip()
-    if unit == "s" and value >= 1e-6:
-        return format_time(value)
     scale = _suiting(value, unit)
     shown = number_text(value / scale.factor)
     return shown + scale.unit if scale.unit == "°" else f"{shown} {unit_text(scale.unit)}".strip()
 
 
-def parted(name: str) -> tuple[str, str]:
-    """Words and unit of a result by its name: crack_length_m is crack length, in m."""
-    for ending, unit in _ENDINGS:
-        if name.endswith(ending):
-            return name.removesuffix(ending).replace("_", " "), unit
-    return name.replace("_", " "), ""
+def unit_of(name: str) -> str:
+    """The unit that the name of a result ends with: m of crack_length_m."""
+    return next((unit for ending, unit in _ENDINGS if name.endswith(ending)), "")

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from percolith.b_value import b_value, reason_for_none
 from percolith.reporting.outcome import history_of
 from percolith.reporting.quantities import number_text, quantity_text
 from percolith.reporting.tables import Table, result_rows
@@ -29,7 +30,7 @@ _BROKEN = {"broken_joints_tensile": "joints that broke in tension",
            "broken_joints": "joints that broke, in all",
            "closed_joints": "broken from the start, faces still together",
            "fragments": "fragments", "fragment_area_m2": "area of all fragments",
-           "largest_fragment_area_m2": "area of the largest fragment", "b_value": "b-value"}
+           "largest_fragment_area_m2": "area of the largest fragment"}
 _CRACKS = {"crack_length_m": "length of the cracks", "filled_crack_length_m": "of it full of fluid",
            "mean_aperture_m": "mean hydraulic aperture",
            "crack_volume_m2": "room in the cracks", "crack_fluid_m2": "fluid in the cracks",
@@ -43,8 +44,9 @@ _EXTREMES = {"minimum_pressure_Pa": "lowest pressure in pores",
              "maximum_crack_pressure_Pa": "highest pressure in cracks",
              "minimum_saturation": "lowest saturation"}
 _MASS = {"in_m2": "came in", "out_m2": "went out", "stored_m2": "stored",
-         "in_place_m2": "in place at the end", "error_m2": "error: in − out − stored"}
-_SLICE = "Volumes and energies are those of a slice of one metre, volumes at reference density."
+         "in_place_m2": "in place", "error_m2": "error: in − out − stored"}
+_VOLUMES = {*_MASS, "crack_volume_m2", "crack_fluid_m2", "leaked_m2"}
+_DENSITY = "Volumes are at reference density, of a slice of one metre."
 
 
 def _last_row(run: RunDirectory) -> dict[str, Any]:
@@ -56,7 +58,7 @@ def _chosen(results: dict[str, Any], labels: dict[str, str]) -> list[list[str]]:
     """Rows of the results that `labels` names, in its order; what is no number is left out."""
     found = {name: results[name] for name in labels
              if name in results and math.isfinite(results[name])}
-    return result_rows(found, labels)
+    return result_rows(found, labels, _VOLUMES)
 
 
 def _mass(run: RunDirectory, last: dict[str, Any]) -> list[Table]:
@@ -75,12 +77,12 @@ def _mass(run: RunDirectory, last: dict[str, Any]) -> list[Table]:
         ending = ".volume_m2"
         volumes = {name.removesuffix(ending): value for name, value in last.items()
                    if name.endswith(ending)}
-    tables = [Table("Balance of the fluid", rows, note="" if run.is_steady else _SLICE)]
+    tables = [Table("Balance of the fluid", rows, note="" if run.is_steady else _DENSITY)]
     names = list(dict.fromkeys([*volumes, *rates]))
     if names:
         head = ["", *["let in, negative: out"] * bool(volumes), *["rate at the end"] * bool(rates)]
         tables.append(Table("By condition", [
-            [name, *([quantity_text(volumes.get(name, 0.0), "m2")] if volumes else []),
+            [name, *([quantity_text(volumes.get(name, 0.0), "m3/m")] if volumes else []),
              *([quantity_text(rates.get(name, 0.0), "m2/s")] if rates else [])]
             for name in names], head))
     return tables
@@ -90,8 +92,9 @@ def _energy(results: dict[str, Any]) -> Table:
     rows = _chosen(results, {name: _ENERGY[name] for name in (*_GIVEN, *_HELD, *_LOST)})
     given, held, lost = (sum(results.get(name, 0.0) for name in names)
                          for names in (_GIVEN, _HELD, _LOST))
-    rows.append(["given in all", quantity_text(given, "J/m")])
-    rows.append(["held and lost in all", quantity_text(held + lost, "J/m")])
+    if rows:
+        rows.append(["given in all", quantity_text(given, "J/m")])
+        rows.append(["held and lost in all", quantity_text(held + lost, "J/m")])
     if "residual_J_per_m" in results:
         rows.append(["what the balance lacks", quantity_text(results["residual_J_per_m"], "J/m")])
     if "energy_error" in results:
@@ -106,6 +109,16 @@ def _modes_by_events(run: RunDirectory) -> dict[str, int]:
     modes = run.events["mode"]
     return {f"broken_joints_{mode}": int(np.sum(modes == mode))
             for mode in ("tensile", "shear", "mixed")}
+
+
+def _breakage(run: RunDirectory, results: dict[str, Any]) -> Table:
+    rows = _chosen(results, _BROKEN)
+    if run.has_summary or (run.path / "events.csv").is_file():
+        magnitudes = run.events["magnitude"]
+        fit, why = b_value(magnitudes), reason_for_none(magnitudes)
+        shown = f"{fit.value:.2f} ± {fit.error:.2f}" if fit else f"none: {why}"
+        rows += [["b-value of the events", shown]] if len(magnitudes) else []
+    return Table("Breakage", rows)
 
 
 def _peaks(results: dict[str, Any]) -> list[Table]:
@@ -135,10 +148,10 @@ def result_tables(run: RunDirectory) -> list[Table]:
         counts = {name: int(results[name]) for name in (
             "broken_joints", "closed_joints", "fragments") if name in results}
         results = {**results, **counts}
-        tables += [_energy(results), Table("Breakage", _chosen(results, _BROKEN)),
+        tables += [_energy(results), _breakage(run, results),
                    Table("Cracks", _chosen(results, _CRACKS)), *_peaks(results),
                    Table("Motion", _chosen(results, _MOTION))]
     if run.has_flow:
         extremes = run.summary.get("extremes", {}) if run.has_summary else last
-        tables.append(Table("Extremes at the end", _chosen(extremes, _EXTREMES)))
+        tables.append(Table("Extremes at the last time", _chosen(extremes, _EXTREMES)))
     return [table for table in tables if table.rows]

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from percolith.reporting.quantities import number_text, parted, quantity_text
+from percolith.reporting.quantities import number_text, quantity_text, unit_of
 from percolith.reporting.resolved_text import ResolvedText
 
 # Tables of the case in the order of the page; others follow by their own name.
@@ -82,11 +82,12 @@ def option_tables(resolved: dict, text: ResolvedText) -> list[Table]:
     return [table for table in tables if table]
 
 
-def result_rows(results: dict, labels: dict[str, str] | None = None) -> list[list[str]]:
-    """A row a number of `results`, whose names carry the units; `labels` names some better."""
+def result_rows(results: dict, labels: dict[str, str], volumes: set[str]) -> list[list[str]]:
+    """A row a number of `results`, whose names carry the units; `labels` says what each is, and
+    `volumes` which of those in m² are volumes of a slice of one metre."""
     rows = []
     for name, value in results.items():
-        words, unit = parted(name)
+        unit = "m3/m" if name in volumes else unit_of(name)
         shown = quantity_text(value, unit) if unit else number_text(value)
-        rows.append([(labels or {}).get(name, words), shown])
+        rows.append([labels[name], shown])
     return rows

@@ -105,8 +105,8 @@ function draw() {
                   factor: model.factor, edges: 0, absent: [0.7, 0.7, 0.7] };
   model.rock.draw({ ...where, ends: endsOf(state.rock), edges: state.edges ? 1 : 0 }, state.rock.table);
   if (!model.cracks || !state.cracks) return;
-  const ends = endsOf(state.cracks), table = state.cracks.table, absent = [0.13, 0.13, 0.13];
-  const thin = state.cracks.name === "mode" ? 0.5 : ABSENT / 2;
+  const ends = endsOf(state.cracks), table = state.cracks.table, absent = [-1, -1, -1];  // dry ones are not shown
+  const thin = state.cracks.name === "mode" ? 0.5 : ABSENT;
   model.gaps?.draw({ ...where, ends, absent }, table);
   model.cracks.draw({ ...where, ends: [1e38, 2e38], absent, thin, width: 4 * ratio },
                     { ...table, texture: model.dark.texture });

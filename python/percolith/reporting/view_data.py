@@ -39,7 +39,7 @@ def _distinct(places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def _described(field: ViewField, key: str) -> dict:
     return {"name": field.name, "label": field.label, "atPoints": field.at_points,
             "colours": field.colours, "ends": field.ends, "factor": field.scale.factor,
-            "unit": field.unit, "names": field.names, "values": key}
+            "unit": field.unit, "beyond": field.beyond, "names": field.names, "values": key}
 
 
 def _without_bodies(values: np.ndarray, at_points: bool, cells: np.ndarray,
@@ -87,6 +87,7 @@ def _add_cracks(run: RunDirectory, frame: Frame, origin: np.ndarray, scale: floa
     else:
         arrays["ends"] = pack(frame.cracks.points[frame.cracks.cells] - origin)
     about["segments"] = len(segment)
+    about["firstOfCracks"] = "pressure" if run.has_flow else fields[0].name
     for field in fields:
         key = f"crack-{field.name}"
         arrays[key] = pack(field.values[segment])

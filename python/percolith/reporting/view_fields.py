@@ -34,6 +34,7 @@ class ViewField:
     ends: tuple[float, float] = (0.0, 1.0)  # SI
     scale: Scale = Scale(1.0, "")
     names: list[str] = field(default_factory=list)
+    beyond: str = "neither"  # which ends have values beyond, as of ColourRange
 
     @property
     def unit(self) -> str:
@@ -42,7 +43,11 @@ class ViewField:
 
 def _spanning(name: str, label: str, values: np.ndarray, at_points: bool, shown: ColourRange,
               colours: str) -> ViewField:
-    return ViewField(name, label, values, at_points, colours, (shown.low, shown.high), shown.scale)
+    low, high = np.nanmin(values, initial=shown.low), np.nanmax(values, initial=shown.high)
+    below, above = low < shown.low, high > shown.high
+    beyond = ("both" if above else "min") if below else ("max" if above else "neither")
+    return ViewField(name, label, values, at_points, colours, (shown.low, shown.high), shown.scale,
+                     beyond=beyond)
 
 
 def _fragments(frame: Frame) -> ViewField:
