@@ -41,9 +41,13 @@ function gathered(values, numbers, width) {
   return result;
 }
 
-// A value as a reader expects it: five digits and the unit; a word where there is no value.
+function numberText(value, digits) {
+  return String(Number(value.toPrecision(digits))).replaceAll("-", "\u2212");
+}
+
+// A value of a field as a reader expects it: its name, or five digits and the unit.
 function valueText(field, value) {
   if (field.names.length) return field.names[Math.round(value)];
-  if (Number.isNaN(value)) return "none";
-  return Number((value / field.factor).toPrecision(5)) + (field.unit ? " " + field.unit : "");
+  const between = field.unit.startsWith("10") ? " × " : " ";
+  return (numberText(value / field.factor, 5) + between + field.unit).trim();
 }

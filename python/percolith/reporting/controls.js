@@ -46,7 +46,7 @@ function showBar(bar, field) {
   strip.style.setProperty("--low", stops[0]);
   strip.style.setProperty("--high", stops[32]);
   for (const value of ticks(low, high)) {
-    const tick = made("span", "tick", String(value).replace("-", "\u2212"));
+    const tick = made("span", "tick", numberText(value, 12));
     tick.style.left = `${100 * (value - low) / (high - low)}%`;
     strip.append(tick);
   }
@@ -60,17 +60,19 @@ function rockText(found) {
   const value = field.atPoints ? mixed((i) => values[model.cells[i]]) : values[found.triangle];
   const at = [0, 1].map((axis) => mixed((i) => model.place[2 * i + axis]) + about.origin[axis]);
   return [Number.isNaN(value) ? "Rigid body" : `${field.label}: ${valueText(field, value)}`,
-          `x = ${Number(at[0].toPrecision(6))} m, y = ${Number(at[1].toPrecision(6))} m`];
+          `x = ${numberText(at[0], 6)} m, y = ${numberText(at[1], 6)} m`];
 }
 
+// What is known of a segment; a dry one has no values of fluid.
 function crackText(segment) {
-  return about.cracks.map((field) => {
-    const values = readyArrays.get(field.values);
-    if (!values) return "";
-    const value = field.atPoints ? (values[2 * segment] + values[2 * segment + 1]) / 2
-                                 : values[segment];
-    return `${field.label}: ${valueText(field, value)}`;
-  }).filter((line) => line);
+  const lines = ["On a crack"];
+  for (const field of about.cracks) {
+    const values = readyArrays.get(field.values), i = field.atPoints ? 2 * segment : segment;
+    if (!values || Number.isNaN(values[i])) continue;
+    const value = field.atPoints ? (values[i] + values[i + 1]) / 2 : values[i];
+    lines.push(`${field.label}: ${valueText(field, value)}`);
+  }
+  return lines;
 }
 
 function showTip(event) {
@@ -79,7 +81,7 @@ function showTip(event) {
     ? nearestSegment(model.movedLine, ...place, 5 / state.zoom) : -1;
   const found = model.find(...place);
   const lines = [...(found ? rockText(found) : []),
-                 ...(segment >= 0 ? ["On a crack", ...crackText(segment)] : [])];
+                 ...(segment >= 0 ? crackText(segment) : [])];
   tip.hidden = lines.length === 0;
   tip.textContent = lines.join("\n");
   const box = canvas.getBoundingClientRect();

@@ -62,11 +62,12 @@ def _fragments(frame: Frame) -> ViewField:
 
 
 def _regions(run: RunDirectory, frame: Frame) -> ViewField:
+    """Regions by their names, which stand in the summary; before it is there by their numbers."""
     number = frame.matrix.cell_data["region"]
-    names = run.summary["regions"] if run.has_summary else [
-        f"region {i}" for i in range(int(number.max(initial=-1)) + 1)]
+    names = run.summary.get("regions", []) if run.has_summary else []
+    names = names or [f"region {i}" for i in range(int(number.max(initial=-1)) + 1)]
     return ViewField("region", "Regions", number, False, colour_table.distinct(len(names)),
-                     names=list(names))
+                     names=names)
 
 
 def _offers(run: RunDirectory, frame: Frame) -> Iterator[str]:
