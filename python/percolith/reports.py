@@ -33,13 +33,13 @@ def _write(path: Path, text: str) -> None:
 
 def report(directory: str | os.PathLike, output: str | os.PathLike | None = None,
            time: float | None = None, scale: float | None = None) -> Path:
-    """Writes one HTML page of a run directory, which needs no other file and no network, and returns
-    its path: what was run, how it ended, balances, results, pictures, and a view to move about in.
-    `output` is the file, None for report.html in the directory; `time` (s) chooses the frame that
-    is shown, None the last one; `scale` multiplies the displacements, None chooses it. A run that
-    has not ended is reported as far as it got. Raises RunDirectoryError where there is no run
-    directory or a file of a run that ended is missing, VtuError where a field file is damaged, and
-    OSError where a file cannot be read or written; an earlier page then stays."""
+    """Writes one HTML page of a run directory, which needs no other file and no network, and
+    returns its path: what was run, how it ended, balances, results, pictures, and a view to move
+    about in. `output` is the file, None for report.html in the directory; `time` (s) chooses the
+    frame that is shown, None the last one; `scale` multiplies the displacements, None chooses it.
+    A run that has not ended is reported as far as it got. Raises RunDirectoryError where there is
+    no run directory or a file of a run that ended is missing, VtuError where a field file is
+    damaged, and OSError where a file cannot be read or written; an earlier page then stays."""
     run = RunDirectory(directory)
     check_scale(run, scale)
     path = run.path / "report.html" if output is None else Path(output)
@@ -65,7 +65,8 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("directory", metavar="DIR", help="the run directory")
     parser.add_argument("--output", type=Path, metavar="FILE",
                         help="write the page to this file instead")
-    parser.add_argument("--time", help="show the frame nearest to this time in s, or last (default)")
+    parser.add_argument("--time",
+                        help="show the frame nearest to this time in s, or last (default)")
     parser.add_argument("--scale", default="auto",
                         help="of mechanics: factor of the displacements, or auto (default)")
     return parser

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page of `percolith report` in a browser: it fetches nothing, draws, and answers the mouse."""
 
+import base64
 import io
 
 import numpy as np
@@ -13,7 +14,8 @@ READY = "document.getElementById('view-canvas').dataset.state !== undefined"
 PIXELS = """(() => {
   draw();
   const all = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
-  gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, all);
+  gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE,
+                all);
   return btoa(Array.from(all, (byte) => String.fromCharCode(byte)).join(""));
 })()"""
 PAINTED = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
@@ -28,8 +30,6 @@ def opened(browser, address):
 
 
 def pixels(browser) -> np.ndarray:
-    import base64
-
     return np.frombuffer(base64.b64decode(browser.evaluate(PIXELS)), np.uint8).reshape(-1, 4)
 
 
@@ -142,7 +142,8 @@ def test_a_deformed_place_tells_where_it_was(browser, pages):
     choose(browser, "rock", "displacement")
     # A corner in the middle of the side, and where it is shown.
     where = browser.evaluate("""(() => {
-      const k = 2 * 900, at = [0, 1].map((i) => model.place[k + i] + about.scale * model.displacement[k + i]);
+      const k = 2 * 900;
+      const at = [0, 1].map((i) => model.place[k + i] + about.scale * model.displacement[k + i]);
       return [at[0] + about.origin[0], at[1] + about.origin[1], model.place[k] + about.origin[0],
               Math.hypot(model.displacement[k], model.displacement[k + 1])];
     })()""")

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the page of a run is made of: numbers with units, packed arrays, the text of the input."""
 
+import tomllib
+
 import numpy as np
 import pytest
 from percolith.reporting.packed import pack, unpack
@@ -24,7 +26,8 @@ def test_numbers_and_units():
     assert number_text(-2.22e-16).replace("\N{NO-BREAK SPACE}", " ") == "\u22122.22 × 10⁻¹⁶"
     assert unit_text("$10^{\N{MINUS SIGN}3}$ m/s") == "10⁻³ m/s"
     assert unit_text("J/m2") == "J/m²"
-    assert [unit_of(name) for name in ("in_m2", "rate_m2_per_s", "fragments")] == ["m²", "m²/s", ""]
+    names = ("in_m2", "rate_m2_per_s", "fragments")
+    assert [unit_of(name) for name in names] == ["m²", "m²/s", ""]
 
 
 @pytest.mark.parametrize("values, kind", [
@@ -79,8 +82,6 @@ def test_the_text_of_the_input():
 
 
 def test_tables_of_options():
-    import tomllib
-
     rocks, boundaries, time = option_tables(tomllib.loads(RESOLVED), read_resolved(RESOLVED))
     assert rocks.head == ["", "one", "two"]
     rows = {row[0]: row[1:] for row in rocks.rows}

@@ -84,11 +84,13 @@ def _ruled_by(run: RunDirectory, text: ResolvedText) -> str:
     time = run.resolved.get("time", {})
     scheme, step = time.get("scheme"), time.get("step")
     if scheme == "steady":
-        return "A steady state takes no step of time; the limits are those an explicit run would have."
+        return ("A steady state takes no step of time; the limits are those an explicit run would "
+                "have.")
     given = step is not None and not isinstance(step, dict)
     if scheme == "implicit" and not run.has_mechanics:
         return (f"The step was given: time.step = {quantity_text(step, 's')}." if given else
-                "The error of each step ruled (time.tolerance), not these limits of explicit steps.")
+                "The error of each step ruled (time.tolerance), not these limits of explicit "
+                "steps.")
     if scheme == "quasi_static":
         return "The run was quasi-static: none of these limits of motion bound its steps."
     if not text.single_limits:

@@ -9,7 +9,7 @@ from pathlib import Path
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from percolith.reporting.outcome import outcome_of, read_log, step_table, warnings_of
-from percolith.reporting.page_pictures import PagePicture, animations, drawn
+from percolith.reporting.page_pictures import animations, drawn
 from percolith.reporting.quantities import number_text, quantity_text
 from percolith.reporting.resolved_text import ResolvedText, read_resolved
 from percolith.reporting.results import result_tables
@@ -19,6 +19,7 @@ from percolith.run_directory import RunDirectory
 
 _PHYSICS = {"seepage": "flow through rock at rest", "mechanics": "motion of dry rock",
             "coupled": "fluid and rock, coupled"}
+_SCRIPTS = ("arrays.js", "drawing.js", "finder.js", "view.js", "controls.js")
 _LOG_LINES = 400  # of a long log the last ones
 
 
@@ -54,8 +55,8 @@ def _overview(run: RunDirectory, given: ResolvedText) -> list[list[str]]:
 
 
 def _mesh(given: ResolvedText) -> Table | None:
-    rows = [[one.name, quantity_text(one.value, one.unit) if isinstance(one.value, float)
-             else number_text(one.value) if isinstance(one.value, int) else one.value]
+    rows = [[one.name, one.value if isinstance(one.value, str)
+             else quantity_text(one.value, one.unit)]
             for one in given.derived if "version" not in one.name]
     return Table("Mesh and what follows from it", rows) if rows else None
 
@@ -79,26 +80,21 @@ def _log(run: RunDirectory) -> str:
     return "\n".join(head + lines[-_LOG_LINES:])
 
 
-def _pictures(run: RunDirectory, time: float | None, scale: float | None) -> list[PagePicture]:
-    return drawn(run, time, scale) + animations(run)
-
-
 def _view(run: RunDirectory, time: float | None, scale: float | None) -> ViewData | None:
     return view_data(run, run.frame(time), scale) if run.times else None
 
 
 def page_of(run: RunDirectory, time: float | None = None, scale: float | None = None) -> str:
     """The page of a run as HTML. `time` (s) chooses the frame that fields and view show, None the
-    last one; `scale` multiplies the displacements, None chooses the factor. Raises RunDirectoryError
-    where a file of a run that has ended is missing, VtuError where a field file is damaged."""
+    last one; `scale` multiplies the displacements, None chooses the factor. Raises
+    RunDirectoryError where a file of a run that has ended is missing, VtuError where a field file
+    is damaged."""
     resolved = (run.path / "resolved.toml").read_text(encoding="utf-8")
     given = read_resolved(resolved)
     tables = [table for table in (_mesh(given), step_table(run, given)) if table]
     return _template().render(
         title=run.title, outcome=outcome_of(run), overview=_overview(run, given),
-        warnings=warnings_of(run), results=result_tables(run), numbers=tables,
-        options=option_tables(run.resolved, given),
-        view=_view(run, time, scale), pictures=_pictures(run, time, scale), machine=_machine(run), resolved=resolved,
-        log=_log(run), style=_asset("page.css"),
-        scripts=[_asset(name) for name in ("arrays.js", "drawing.js", "finder.js", "view.js",
-                                           "controls.js")])
+        warnings=warnings_of(run), view=_view(run, time, scale), results=result_tables(run),
+        pictures=drawn(run, time, scale) + animations(run), numbers=tables,
+        options=option_tables(run.resolved, given), machine=_machine(run), resolved=resolved,
+        log=_log(run), style=_asset("page.css"), scripts=[_asset(name) for name in _SCRIPTS])

@@ -10,6 +10,7 @@ from percolith.units import Scale, length_scale, pressure_scale, time_scale
 
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _DIGITS = 5
+_TIMES = "\N{NO-BREAK SPACE}×\N{NO-BREAK SPACE}"
 
 # Endings of the names of results, longer ones before those they end with.
 _ENDINGS = [("_m2_per_s", "m²/s"), ("_m_per_s", "m/s"), ("_J_per_m", "J/m"), ("_N_per_m", "N/m"),
@@ -32,7 +33,7 @@ def number_text(value: float) -> str:
     if "e" in text:
         mantissa, power = text.split("e")
         power = f"10{str(int(power)).translate(_RAISED)}"
-        text = power if mantissa == "1" else f"{mantissa}\N{NO-BREAK SPACE}×\N{NO-BREAK SPACE}{power}"
+        text = power if mantissa == "1" else mantissa + _TIMES + power
     return text.replace("-", "\N{MINUS SIGN}")
 
 

@@ -105,7 +105,8 @@ def view_data(run: RunDirectory, frame: Frame, scale: float | None = None) -> Vi
     origin = 0.5 * (low + high)
     about = {"moment": moment(run, frame), "deforms": deforms, "scale": scale,
              "triangles": len(frame.matrix.cells), "origin": origin.tolist(),
-             "size": (high - low).tolist(), "first": default_field(run), "rock": [], "cracks": [], "segments": 0}
+             "size": (high - low).tolist(), "first": default_field(run), "rock": [],
+             "cracks": [], "segments": 0}
     arrays: dict[str, Packed] = {}
     _add_rock(run, frame, origin, scale, about, arrays)
     # Joints that only part a rigid body from the rock are left out, as in the pictures.
