@@ -16,7 +16,7 @@ from percolith.reporting.tables import option_tables
     (1e-13, "m2", "10\u207b\u00b9\u00b3 m\u00b2"), (2e-4, "m", "200 \u00b5m"), (3.2, "m", "3.2 m"),
     (5.0294e-7, "s", "502.94 ns"), (4.5e-4, "s", "450 \u00b5s"), (7200.0, "s", "2 h"),
     (np.pi / 6, "rad", "30\u00b0"), (1e-9, "m/(Pa s)", "10\u207b\u2079 m/(Pa s)"), (7, "", "7"),
-    (float("inf"), "s", "inf s")])
+    (float("inf"), "s", "∞ s")])
 def test_quantities(value, unit, text):
     assert quantity_text(value, unit).replace("\N{NO-BREAK SPACE}", " ") == text
 

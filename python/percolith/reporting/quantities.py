@@ -28,7 +28,7 @@ def unit_text(unit: str) -> str:
 def number_text(value: float) -> str:
     """A number with five digits; large and small ones as a power of ten."""
     if isinstance(value, int) or not math.isfinite(value):
-        return str(value).replace("-", "\N{MINUS SIGN}")
+        return str(value).replace("-", "\N{MINUS SIGN}").replace("inf", "∞")
     text = f"{value:.{_DIGITS}g}"
     if "e" in text:
         mantissa, power = text.split("e")
