@@ -82,8 +82,9 @@ def test_values_under_the_mouse(browser, pages):
     assert tip_at(browser, 0.5 * SIZE, 0.8 * SIZE)[1].startswith("x = 2")
     assert tip_at(browser, -0.2 * SIZE, 0.5 * SIZE) == []
     crack = tip_at(browser, 1.75, 1.0)
-    assert crack[2:] == ["On a crack", "Pressure in cracks: 0.5 MPa", "Saturation in cracks: 1",
-                         "Flow along cracks: 3 × 10⁻⁶ m²/s", "Hydraulic aperture: 200 µm"]
+    assert crack[2:] == ["On a crack", "Pressure in cracks: 0.5 MPa", "Saturation of cracks: 1",
+                         "Aperture of cracks, hydraulic: 200 µm",
+                         "Flux along cracks: 3 × 10⁻⁶ m²/s"]
     choose(browser, "rock", "region")
     assert tip_at(browser, 2.1, 3.1)[0] == "Regions: region 1"
     choose(browser, "cracks", "")

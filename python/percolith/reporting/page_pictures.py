@@ -4,18 +4,17 @@
 from __future__ import annotations
 
 import base64
-import tempfile
 from dataclasses import dataclass
-from pathlib import Path
 
 from percolith.flow_fields import LABEL
 from percolith.mechanics_fields import LABEL as MECHANICS_LABEL
-from percolith.pictures import draw_fields, draw_tables
+from percolith.pictures import MapOptions, default_fields, draw_map, table_figures
 from percolith.reporting.outcome import history_of
 from percolith.run_directory import RunDirectory
+from percolith.saving import png_of
 
 LARGEST_ANIMATION = 30_000_000  # bytes
-_TYPES = {".png": "image/png", ".gif": "image/gif", ".mp4": "video/mp4", ".webm": "video/webm"}
+_FILMS = {".gif": "image/gif", ".mp4": "video/mp4", ".webm": "video/webm"}
 _CAPTIONS = {
     "probes": "What the probes recorded.",
     "loading": "Reaction of each loaded boundary and body over its displacement.",
@@ -55,21 +54,27 @@ def _caption(run: RunDirectory, name: str) -> str:
     return _CAPTIONS.get(name) or f"{_field_words(name)}."
 
 
-def _read(path: Path, caption: str) -> PagePicture:
-    content = base64.b64encode(path.read_bytes()).decode()
-    return PagePicture(path.stem, caption, _TYPES[path.suffix.lower()], content)
+def _text(content: bytes) -> str:
+    return base64.b64encode(content).decode()
+
+
+def _picture(run: RunDirectory, name: str, figure) -> PagePicture:
+    return PagePicture(name, _caption(run, name), "image/png", _text(png_of(figure)))
 
 
 def drawn(run: RunDirectory, time: float | None, scale: float | None) -> list[PagePicture]:
     """What `percolith plot` draws of the frame nearest to `time`; nothing is left in the run
     directory. Of a run without frames what its tables give, without tables nothing of them."""
-    with tempfile.TemporaryDirectory() as scratch:
-        folder, paths = Path(scratch), []
-        if run.times:
-            paths += draw_fields(run, folder, time="last" if time is None else time, scale=scale)
-        if history_of(run):
-            paths += draw_tables(run, folder)
-        return [_read(path, _caption(run, path.stem)) for path in paths]
+    pictures = []
+    if run.times:
+        frame, options = run.frame(time), MapOptions(scale)
+        pictures += [_picture(run, name, draw_map(run, frame, name, options).figure)
+                     for name in default_fields(run, frame)]
+    if run.probe_names:
+        pictures.append(_picture(run, "probes", run.plot_probes()))
+    if history_of(run):
+        pictures += [_picture(run, name, figure) for name, figure in table_figures(run).items()]
+    return pictures
 
 
 def animations(run: RunDirectory) -> list[PagePicture]:
@@ -77,13 +82,14 @@ def animations(run: RunDirectory) -> list[PagePicture]:
     alone."""
     found = []
     for path in sorted(run.path.iterdir()):
-        if path.suffix.lower() not in (".gif", ".mp4", ".webm"):
+        kind = _FILMS.get(path.suffix.lower())
+        if kind is None:
             continue
         caption = f"{_field_words(path.stem)} over time ({path.name})."
         if path.stat().st_size > LARGEST_ANIMATION:
             megabytes = path.stat().st_size / 1e6
             caption += f" It has {megabytes:.0f} MB and is not in this page."
-            found.append(PagePicture(path.stem, caption, _TYPES[path.suffix.lower()], ""))
+            found.append(PagePicture(path.stem, caption, kind, ""))
         else:
-            found.append(_read(path, caption))
+            found.append(PagePicture(path.stem, caption, kind, _text(path.read_bytes())))
     return found

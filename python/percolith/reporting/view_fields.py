@@ -8,17 +8,30 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from percolith.colour_range import ColourRange, widened
+from percolith.colour_range import ColourRange
+from percolith.crack_fields import (
+    CRACK_FIELDS,
+    chosen_segments,
+    end_values,
+    has_crack_field,
+    range_of_cracks,
+)
 from percolith.crack_picture import MODES
-from percolith.flow_fields import FIELDS, LABEL, carries_fluid, point_values, rock_values
-from percolith.mechanics_fields import LABEL as MECHANICS_LABEL
-from percolith.mechanics_fields import MECHANICS_FIELDS, values_of
-from percolith.mechanics_picture import GREYS
+from percolith.flow_fields import FIELDS, LABEL, rock_values
+from percolith.mechanics_fields import (
+    MECHANICS_FIELDS,
+    fragment_count,
+    is_at_points,
+    label_of,
+    values_of,
+)
 from percolith.reporting import colour_table
 from percolith.reporting.quantities import unit_text
+from percolith.rock_picture import GREYS, ranks_by_size
 from percolith.run_directory import Frame, RunDirectory
-from percolith.units import Scale, length_scale, power_scale
+from percolith.units import Scale
 from percolith.view import view_of_frame
+from percolith.vtu import Grid
 
 
 @dataclass(frozen=True)
@@ -33,8 +46,8 @@ class ViewField:
     colours: str  # as of colour_table
     ends: tuple[float, float] = (0.0, 1.0)  # SI
     scale: Scale = Scale(1.0, "")
+    beyond: str = "neither"  # as of ColourRange
     names: list[str] = field(default_factory=list)
-    beyond: str = "neither"  # which ends have values beyond, as of ColourRange
 
     @property
     def unit(self) -> str:
@@ -43,22 +56,16 @@ class ViewField:
 
 def _spanning(name: str, label: str, values: np.ndarray, at_points: bool, shown: ColourRange,
               colours: str) -> ViewField:
-    low, high = np.nanmin(values, initial=shown.low), np.nanmax(values, initial=shown.high)
-    below, above = low < shown.low, high > shown.high
-    beyond = ("both" if above else "min") if below else ("max" if above else "neither")
     return ViewField(name, label, values, at_points, colours, (shown.low, shown.high), shown.scale,
-                     beyond=beyond)
+                     shown.beyond)
 
 
 def _fragments(frame: Frame) -> ViewField:
     """Fragments by their size, the largest first, as in the pictures."""
-    _, number, count = np.unique(values_of(frame, "fragments"), return_inverse=True,
-                                 return_counts=True)
-    rank = np.empty(len(count), int)
-    rank[np.argsort(-count, kind="stable")] = np.arange(len(count))
-    names = [f"fragment {i + 1} by size of {len(count)}" for i in range(len(count))]
-    return ViewField("fragments", "Fragments", rank[number.ravel()], False,
-                     colour_table.distinct(len(count)), names=names)
+    count = fragment_count(frame)
+    return ViewField("fragments", "Fragments", ranks_by_size(values_of(frame, "fragments")), False,
+                     colour_table.distinct(count),
+                     names=[f"fragment {i + 1} by size of {count}" for i in range(count)])
 
 
 def _regions(run: RunDirectory, frame: Frame) -> ViewField:
@@ -85,31 +92,26 @@ def _offers(run: RunDirectory, frame: Frame) -> Iterator[str]:
                     if name != "velocity" or np.any(points["velocity_m_per_s"]))
 
 
+def _rock_field(run: RunDirectory, frame: Frame, name: str, scale: float) -> ViewField:
+    if name == "fragments":
+        return _fragments(frame)
+    shown = view_of_frame(run, frame, name, scale).rock
+    colours = colour_table.of_map(GREYS if name == "damage" else "viridis")
+    if name in FIELDS:
+        return _spanning(name, LABEL[name], rock_values(frame, name), name != "flux", shown,
+                         colours)
+    return _spanning(name, label_of(frame, name), values_of(frame, name),
+                     is_at_points(frame, name), shown, colours)
+
+
 def rock_fields(run: RunDirectory, frame: Frame, scale: float) -> list[ViewField]:
     """The fields of the rock at the time of `frame`; `scale` is the factor of the displacements,
     which decides what a picture shows."""
-    fields = []
-    for name in _offers(run, frame):
-        if name == "fragments":
-            fields.append(_fragments(frame))
-            continue
-        shown = view_of_frame(run, frame, name, scale).rock
-        of_flow = name in FIELDS
-        values = rock_values(frame, name) if of_flow else values_of(frame, name)
-        at_points = name in ("pressure", "head", "saturation", "displacement", "velocity")
-        label = LABEL[name] if of_flow else MECHANICS_LABEL[name]
-        colours = colour_table.of_map(GREYS if name == "damage" else "viridis")
-        fields.append(_spanning(name, label, values, at_points, shown, colours))
+    fields = [_rock_field(run, frame, name, scale) for name in _offers(run, frame)]
     return [*fields, _regions(run, frame)]
 
 
-def _range_of_length(values: np.ndarray) -> ColourRange:
-    ends = np.nanpercentile(values, [1, 99]) if np.isfinite(values).any() else (0.0, 1.0)
-    low, high = widened(*map(float, ends))
-    return ColourRange(low, high, length_scale([low, high]))
-
-
-def _modes(cracks) -> ViewField:
+def _modes(cracks: Grid) -> ViewField:
     order = list(MODES)
     number = np.array([order.index(mode) for mode in cracks.cell_data["mode"].tolist()])
     return ViewField("mode", "Mode of breakage", number, False,
@@ -117,41 +119,30 @@ def _modes(cracks) -> ViewField:
                      names=[name for name, _ in MODES.values()])
 
 
-def _fluid(run: RunDirectory, frame: Frame, scale: float) -> Iterator[ViewField]:
-    cracks = frame.cracks
-    wet = carries_fluid(cracks)
-    view = view_of_frame(run, frame, "pressure", scale)
-    for name in ("pressure", "saturation"):
-        at_ends = np.where(wet[:, None], point_values(cracks, name)[cracks.cells], np.nan)
-        shown = view.cracks or view.rock
-        colours = "inferno" if view.cracks else "viridis"
-        if name == "saturation":
-            shown, colours = ColourRange(0.0, 1.0, Scale(1.0, "")), "viridis"
-        yield _spanning(name, f"{LABEL[name]} in cracks", at_ends, True, shown,
-                        colour_table.of_map(colours))
-    if "flux_m2_per_s" in cracks.cell_data:
-        flux = np.where(wet, np.abs(cracks.cell_data["flux_m2_per_s"]), np.nan)
-        high = float(np.nanpercentile(flux, 99)) if wet.any() else 0.0
-        shown = ColourRange(0.0, high or 1.0, power_scale([high], "m²/s"))
-        yield _spanning("flux", "Flow along cracks", flux, False, shown,
-                        colour_table.of_map("inferno"))
+def _crack_range(run: RunDirectory, frame: Frame, name: str, scale: float,
+                 values: np.ndarray) -> tuple[ColourRange, str]:
+    """The ends of the colours and their map, those of the rock where a picture of the same quantity
+    shows both in one."""
+    if name in FIELDS and name != "flux":
+        view = view_of_frame(run, frame, name, scale)
+        return (view.cracks, "inferno") if view.cracks else (view.rock, "viridis")
+    return range_of_cracks(name, values), "inferno"
 
 
 def crack_fields(run: RunDirectory, frame: Frame, scale: float) -> list[ViewField]:
-    """The fields of the cracks: (segments, 2) values of both ends, or one a segment. None where
-    there is no crack; NaN where a crack holds no fluid."""
+    """The fields of the cracks: (segments, 2) values of both ends, or one a segment; NaN where a
+    segment has none, as where it holds no fluid. No field where there is no crack."""
     cracks = frame.cracks
     if cracks is None or not len(cracks.cells):
         return []
-    data = cracks.cell_data
-    fields = [_modes(cracks)] if "mode" in data else []
-    if run.has_flow:
-        fields += _fluid(run, frame, scale)
-    for name, label in (("aperture_m", "Hydraulic aperture"), ("opening_m", "Opening"),
-                        ("slip_m", "Slip")):
-        if name in data:
-            values = np.where(carries_fluid(cracks), data[name], np.nan) \
-                if name == "aperture_m" else data[name]
-            fields.append(_spanning(name.removesuffix("_m"), label, values, False,
-                                    _range_of_length(values), colour_table.of_map("plasma")))
+    fields = [_modes(cracks)] if has_crack_field(cracks, "mode") else []
+    for name, known in CRACK_FIELDS.items():
+        if not has_crack_field(cracks, name):
+            continue
+        has_value = chosen_segments(cracks, name)
+        ends = np.where(has_value[:, None], end_values(cracks, name), np.nan)
+        shown, colours = _crack_range(run, frame, name, scale, ends[has_value].ravel())
+        at_points = known.array in cracks.point_data
+        fields.append(_spanning(name, known.label, ends if at_points else ends[:, 0], at_points,
+                                shown, colour_table.of_map(colours)))
     return fields
