@@ -16,7 +16,10 @@ say "drawing"
 say "animating the pressure and the stress"
 "$percolith" plot "$results" --animate
 "$percolith" plot "$results" --animate --field principal_stress_1
+say "one page of all of it"
+"$percolith" report "$results"
 say "done"
+echo "the page: $results/report.html, for a browser"
 echo "results: $results (open its .pvd files in ParaView)"
 echo "pictures; look at pressure.png first:"
 find "$results" -name '*.png' | sort | sed 's/^/  /'

@@ -5,7 +5,7 @@ import subprocess
 from pathlib import Path
 
 CPP = {".cpp", ".hpp"}
-CODE = CPP | {".py", ".sh", ".cmake"}
+CODE = CPP | {".py", ".sh", ".cmake", ".js", ".css", ".jinja"}
 
 
 def files(root: Path) -> list[Path]:

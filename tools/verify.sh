@@ -17,4 +17,6 @@ if [[ $# -eq 0 ]]; then
   [[ $(stat -c %s build/verify/page.png) -gt 100000 ]] ||
     { echo "build/verify/page.png: the browser drew nothing; see build/verify/browser.log" >&2; exit 1; }
   echo "build/verify/page.png shows it as a picture"
+  say "pages of runs in a browser"
+  MPLBACKEND=Agg .venv/bin/python -m pytest -q -p no:cacheprovider tests/browser
 fi

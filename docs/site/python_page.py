@@ -12,7 +12,7 @@ WITH_BASES = {"RunDirectory"}
 GROUPS = {
     "Cases": ["Case", "describe", "option_names", "Option", "quantity"],
     "Runs": ["Simulation", "resume", "sweep", "Sweep"],
-    "Results": ["open_run", "RunDirectory", "Frame", "Table", "Grid", "read_vtu"],
+    "Results": ["open_run", "RunDirectory", "Frame", "Table", "Grid", "read_vtu", "report"],
     "Errors": ["Error", "CaseError", "CaseWarning", "Problem", "SolverError", "FileError",
                "MeshError", "RunDirectoryError", "VtuError"],
 }

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Percolith, the simulator of fractured porous rock: cases, runs and their results.
 
-Reading and drawing results needs numpy alone; what runs the simulator is loaded with its first use.
+Reading results needs numpy alone; what draws them or runs the simulator is loaded with its first
+use.
 """
 
 import importlib
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from percolith import mesh
     from percolith.case import Case
     from percolith.options import Option, describe, option_names
+    from percolith.reports import report
     from percolith.simulation import Simulation, quantity, resume
     from percolith.sweeps import Sweep, sweep
 
@@ -40,7 +42,7 @@ __all__ = [
     "Case", "CaseError", "CaseWarning", "Error", "FileError", "Frame", "Grid", "MeshError",
     "Option", "Problem", "RunDirectory", "RunDirectoryError", "Simulation", "SolverError", "Sweep",
     "Table", "VtuError", "__version__", "describe", "mesh", "open_run", "option_names", "quantity",
-    "read_vtu", "resume", "sweep",
+    "read_vtu", "report", "resume", "sweep",
 ]
 
 
@@ -49,6 +51,8 @@ def __getattr__(name: str) -> object:
         value = _extension("_core").version
     elif name == "mesh":
         value = importlib.import_module("percolith.mesh")
+    elif name == "report":
+        value = importlib.import_module("percolith.reports").report
     elif name in _LATER:
         value = getattr(_extension(_LATER[name]), name)
     else:

@@ -102,8 +102,8 @@ def _draw_series(run: RunDirectory, field: str, options: MapOptions) -> list[Pat
                  run.path / f"{field}_{i:04d}.png") for i, time in enumerate(run.times)]
 
 
-def _default_fields(run: RunDirectory, frame: Frame) -> list[str]:
-    """What is drawn where no field is asked for."""
+def default_fields(run: RunDirectory, frame: Frame) -> list[str]:
+    """Which maps there are where no field is asked for."""
     fields = ["pressure"] if run.has_flow else []
     if run.has_mechanics:
         fields += [name for name in MECHANICS_FIELDS if name != "velocity"]
@@ -124,7 +124,7 @@ def _draw_fields(run: RunDirectory, field: str | None, time: float | str, output
     # Where no field is asked for, arrows of the flux lie over those of flow.
     still = replace(options, overlays=replace(options.overlays, arrows=False))
     return [save(draw_map(run, frame, name, options if name in FIELDS else still).figure,
-                 run.path / f"{name}.png") for name in _default_fields(run, frame)]
+                 run.path / f"{name}.png") for name in default_fields(run, frame)]
 
 
 def history_of(run: RunDirectory, of: str | None = None):
@@ -144,18 +144,18 @@ def loading_of(run: RunDirectory):
     return loading_figure(run) if run.has_mechanics else None
 
 
-def _draw_tables(run: RunDirectory, window: np.ndarray | None) -> list[Path]:
-    """The pictures of history and events; those of flow have a name of their own beside those of
-    mechanics."""
+def table_figures(run: RunDirectory, window: np.ndarray | None = None) -> dict:
+    """The figures of history and events by the names of their files; those of flow have a name of
+    their own beside those of mechanics."""
     if run.is_steady:
-        return []
+        return {}
     figures = {"history": history_of(run)}
     if run.has_mechanics:
         if run.has_flow:
             figures["fluid"] = history_of(run, "fluid")
         figures |= {"crack_growth": crack_growth_figure(run), "loading": loading_of(run),
                     "events": events_figure(run, window)}
-    return [save(figure, run.path / f"{name}.png") for name, figure in figures.items() if figure]
+    return {name: figure for name, figure in figures.items() if figure}
 
 
 def draw(run: RunDirectory, field: str | None = None, time: float | str = "last",
@@ -178,4 +178,5 @@ def draw(run: RunDirectory, field: str | None = None, time: float | str = "last"
         return paths
     if run.probe_names:
         paths.append(save(probes_figure(run, field or "pressure", curves), run.path / "probes.png"))
-    return paths + _draw_tables(run, window)
+    return paths + [save(figure, run.path / f"{name}.png")
+                    for name, figure in table_figures(run, window).items()]

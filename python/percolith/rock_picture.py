@@ -20,7 +20,7 @@ from percolith.view import View
 from percolith.vtu import Grid
 
 ROCK = "viridis"
-_GREYS = LinearSegmentedColormap.from_list("damage", ["#F4F4F4", "#7A7A7A"])
+GREYS = LinearSegmentedColormap.from_list("damage", ["#F4F4F4", "#7A7A7A"])
 _BODY = "#B4B4B4"  # rigid bodies, which no field of the rock describes
 _FLAT = {"antialiased": False, "linewidths": 0.0, "rasterized": True}
 
@@ -48,7 +48,7 @@ def draw_values(axes, frame: Frame, points: np.ndarray, field: str, view: View) 
     if at_points:
         fine = refine(corners, values[frame.matrix.cells], view.step, smallest=view.pixel)
         corners, values = fine.corners, fine.values
-    colours = (_GREYS if field == "damage" else plt.get_cmap(ROCK)).resampled(view.colours)
+    colours = (GREYS if field == "damage" else plt.get_cmap(ROCK)).resampled(view.colours)
     picture = PolyCollection(corners, array=values / shown.scale.factor, cmap=colours,
                              norm=shown.norm, **_FLAT)
     axes.add_collection(picture, autolim=False)

@@ -3,12 +3,23 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 
 import matplotlib.pyplot as plt
 
 FORMATS = (".png", ".pdf", ".svg")
 _RESOLUTION = 120  # dots per inch
+
+
+def png_of(figure) -> bytes:
+    """A figure as a PNG file would hold it; closes it."""
+    file = io.BytesIO()
+    try:
+        figure.savefig(file, format="png", dpi=_RESOLUTION, pil_kwargs={"optimize": True})
+    finally:
+        plt.close(figure)
+    return file.getvalue()
 
 
 def save(figure, path: Path) -> Path:

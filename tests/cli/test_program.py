@@ -30,15 +30,16 @@ def test_help_shows_an_example(percolith, command):
 
 def test_help_names_commands_and_exit_codes(percolith):
     text = percolith("--help").stdout
-    for word in ["run", "check", "schema", "new", "percolith plot DIR", "Exit codes: 0 success"]:
+    for word in ["run", "check", "schema", "new", "percolith plot DIR", "percolith report DIR",
+                 "Exit codes: 0 success"]:
         assert word in text
 
 
 def test_no_command(percolith):
     done = percolith()
     assert done.returncode == 2
-    assert done.stderr == ("error: no command given; allowed: run, check, schema, new, plot; "
-                           "see percolith --help\n")
+    assert done.stderr == ("error: no command given; allowed: run, check, schema, new, "
+                           "plot, report; see percolith --help\n")
 
 
 def test_unknown_command_names_the_nearest(percolith):

@@ -15,7 +15,8 @@ namespace {
 
 constexpr const char* footer =
     "Programs named percolith-NAME next to this one or on the PATH run as percolith NAME;\n"
-    "percolith plot DIR draws the results of a run.\n"
+    "percolith plot DIR draws the results of a run, percolith report DIR puts all of them into one\n"
+    "page for a browser.\n"
     "\n"
     "Exit codes: 0 success, 2 bad input, 3 the solver cannot go on, 4 a file cannot be read or\n"
     "written, 130 or 143 stopped by a signal.\n"
@@ -162,7 +163,7 @@ Command parse_command_line(std::span<const std::string> arguments) {
                       "",
                       "",
                       "no command given",
-                      "run, check, schema, new, plot; see "
+                      "run, check, schema, new, plot, report; see "
                       "percolith --help"});
   }
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());

@@ -1,0 +1,308 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The page of `percolith report`: what it says, what it shows, and that it needs nothing else."""
+
+import base64
+import json
+import re
+import shutil
+from html.parser import HTMLParser
+
+import numpy as np
+import percolith
+import pytest
+from percolith import reports
+from percolith.reporting import page as page_module
+from percolith.reporting.packed import Packed, unpack
+from percolith.reporting.view_data import view_data
+from percolith.run_directory import RunDirectory
+from synthetic_coupled_run import OPENING, write_coupled_run
+from synthetic_run import write_mechanics_run
+
+_EMPTY = {"meta", "img", "input", "br", "link"}
+
+
+class Page(HTMLParser):
+    """Reads a page: its rows of tables, texts, arrays, pictures and all addresses it names."""
+
+    def __init__(self, text: str):
+        super().__init__()
+        self.text, self.open, self.rows, self.words = text, [], [], []
+        self.arrays, self.addresses, self.pictures, self.about = {}, [], [], None
+        self.feed(text)
+        assert not self.open, f"never closed: {self.open}"
+
+    def handle_starttag(self, tag, attrs):
+        given = dict(attrs)
+        if tag not in _EMPTY:
+            self.open.append((tag, given))
+        self.addresses += [given[name] for name in ("src", "href") if name in given]
+        if tag in ("img", "video"):
+            self.pictures.append(given)
+        if tag == "tr":
+            self.rows.append([])
+
+    def handle_endtag(self, tag):
+        assert self.open.pop()[0] == tag
+
+    def handle_data(self, data):
+        tag, given = self.open[-1] if self.open else ("", {})
+        if tag in ("th", "td"):
+            self.rows[-1].append(data.replace("\N{NO-BREAK SPACE}", " "))
+        elif tag == "script" and given.get("id", "").startswith("array-"):
+            packed = Packed(given["data-kind"], int(given["data-length"]), data)
+            self.arrays[given["id"].removeprefix("array-")] = unpack(packed)
+            assert len(self.arrays[given["id"].removeprefix("array-")]) == packed.length
+        elif given.get("id") == "view-about":
+            self.about = json.loads(data)
+        elif tag not in ("script", "style"):
+            self.words.append(data)
+
+    @property
+    def said(self) -> str:
+        return " ".join(self.words)
+
+    def value(self, name: str) -> str:
+        return next(row[1] for row in self.rows if row and row[0] == name)
+
+
+def page_at(path) -> Page:
+    return Page(path.read_text(encoding="utf-8"))
+
+
+@pytest.fixture
+def without_pictures(monkeypatch):
+    monkeypatch.setattr(page_module, "drawn", lambda run, time, scale: [])
+
+
+@pytest.fixture(scope="module")
+def mechanics(tmp_path_factory):
+    return write_mechanics_run(tmp_path_factory.mktemp("mechanics") / "run")
+
+
+@pytest.fixture(scope="module")
+def coupled(tmp_path_factory):
+    return write_coupled_run(tmp_path_factory.mktemp("coupled") / "run")
+
+
+@pytest.fixture(scope="module")
+def coupled_page(coupled):
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(page_module, "drawn", lambda run, time, scale: [])
+        return page_at(percolith.report(coupled))
+
+
+@pytest.fixture
+def flow(run_example, tmp_path):
+    return shutil.copytree(run_example("single_fracture").results.path, tmp_path / "flow")
+
+
+def test_the_page_needs_no_other_file(coupled, coupled_page):
+    assert coupled_page.text.startswith("<!DOCTYPE html>")
+    assert all(address.startswith(("data:", "#")) for address in coupled_page.addresses)
+    assert not re.search(r"https?://|@import|url\(", coupled_page.text)
+    assert "default-src 'none'" in coupled_page.text
+    assert [path.name for path in coupled.glob("*report*")] == ["report.html"]
+
+
+def test_pictures_and_films_have_captions(flow):
+    (flow / "pressure.gif").write_bytes(b"GIF89a")
+    (flow / "flux.mp4").write_bytes(b"film")
+    before = sorted(path.name for path in flow.iterdir())
+    page = page_at(percolith.report(flow))
+    assert sorted(path.name for path in flow.iterdir()) == sorted([*before, "report.html"])
+    captions = [picture.get("alt") for picture in page.pictures]
+    assert captions[:2] == ["Pressure.", "What the probes recorded."]
+    assert captions[3:] == [None, "Pressure over time (pressure.gif)."]
+    assert "Darcy flux over time (flux.mp4)." in page.said
+    contents = [base64.b64decode(picture["src"].split(",")[1]) for picture in page.pictures]
+    assert all(content.startswith(b"\x89PNG") for content in contents[:3])
+    assert contents[3:] == [b"film", b"GIF89a"]
+
+
+def test_a_film_that_is_too_large_is_named_alone(flow, without_pictures, monkeypatch):
+    monkeypatch.setattr("percolith.reporting.page_pictures.LARGEST_ANIMATION", 5)
+    (flow / "pressure.gif").write_bytes(b"GIF89a")
+    page = page_at(percolith.report(flow))
+    assert not page.pictures
+    assert "pressure.gif). It has 0 MB and is not in this page." in page.said
+
+
+def rock_values(page: Page, name: str) -> np.ndarray:
+    return page.arrays[next(f["values"] for f in page.about["rock"] if f["name"] == name)]
+
+
+def test_the_view_holds_the_numbers_of_the_last_frame(coupled, coupled_page):
+    frame = RunDirectory(coupled).frame()
+    matrix, about, arrays = frame.matrix, coupled_page.about, coupled_page.arrays
+    places = arrays["places"].reshape(-1, 2)[arrays["place"]] + about["origin"]
+    assert places == pytest.approx(matrix.points, abs=1e-6)
+    assert (arrays["cells"].reshape(-1, 3) == matrix.cells).all()
+    assert arrays["displacement"].reshape(-1, 2) == pytest.approx(
+        matrix.point_data["displacement_m"], rel=1e-6)
+    assert rock_values(coupled_page, "pressure") == pytest.approx(
+        matrix.point_data["pressure_Pa"], rel=1e-6)
+    assert rock_values(coupled_page, "principal_stress_1") == pytest.approx(
+        matrix.cell_data["principal_stress_1_Pa"], rel=1e-6)
+    assert about["first"] == "pressure" and about["triangles"] == len(matrix.cells)
+
+
+def test_the_view_knows_which_cracks_hold_fluid(coupled, coupled_page):
+    about, arrays = coupled_page.about, coupled_page.arrays
+    gaps = arrays["gaps"].reshape(-1, 4)
+    assert len(gaps) == about["segments"] == len(RunDirectory(coupled).frame().cracks.cells)
+    moved = arrays["displacement"].reshape(-1, 2)
+    opening = np.hypot(*(moved[gaps[:, 0]] - moved[gaps[:, 3]]).T)
+    assert opening.max() == pytest.approx(OPENING, rel=1e-4)
+    fields = {field["name"]: field for field in about["cracks"]}
+    assert fields["mode"]["names"][3] == "shear"
+    pressure = arrays[fields["pressure"]["values"]].reshape(-1, 2)
+    wet = RunDirectory(coupled).frame().cracks.cell_data["wet"] != 0
+    assert (np.isnan(pressure).all(axis=1) == ~wet).all() and not wet.all()
+    assert fields["pressure"]["unit"] == "MPa" and fields["pressure"]["factor"] == 1e6
+
+
+def test_rigid_bodies_have_no_values(mechanics, tmp_path):
+    path = shutil.copytree(mechanics, tmp_path / "run")
+    with open(path / "resolved.toml", "a") as file:
+        file.write('[body.platen]\nregions = ["steel"]\nrigid = true\n')
+    summary = json.loads((path / "summary.json").read_text())
+    (path / "summary.json").write_text(json.dumps(summary | {"regions": ["rock", "steel"]}))
+    run = RunDirectory(path)
+    frame = run.frame()
+    steel = frame.matrix.points[frame.matrix.cells].mean(axis=1)[:, 1] > 0.09
+    frame.matrix.cell_data["region"] = steel.astype(np.int32)
+    view = view_data(run, frame)
+    stress = unpack(view.arrays["rock-principal_stress_2"])
+    assert (np.isnan(stress) == steel).all()
+    size = unpack(view.arrays["rock-displacement"]).reshape(-1, 3)
+    assert (np.isnan(size) == steel[:, None]).all()
+    assert (unpack(view.arrays["rock-region"]) == steel).all()
+    assert view.about["rock"][-1]["names"] == ["rock", "steel"]
+
+
+def test_rows_of_mechanics(mechanics, without_pictures):
+    summary = {"end_time_s": 2e-3, "outcome": "finished", "reached_rest": True, "mechanics": {
+        "external_work_J_per_m": 12.5, "elastic_J_per_m": 12.0, "fracture_J_per_m": 0.5,
+        "residual_J_per_m": 1e-5, "energy_error": 8e-7, "broken_joints": 60,
+        "broken_joints_shear": 41, "fragment_area_m2": 0.005, "peak_reactions": {
+            "boundary.top": {"x_N_per_m": 1.0, "x_time_s": 1e-3, "y_N_per_m": -3e6,
+                             "y_time_s": 1.6e-3}}}}
+    before = (mechanics / "summary.json").read_text()
+    (mechanics / "summary.json").write_text(json.dumps(summary))
+    try:
+        page = page_at(percolith.report(mechanics, mechanics / "other.html"))
+    finally:
+        (mechanics / "summary.json").write_text(before)
+    assert "The run came to rest at 2 ms." in page.said
+    assert page.value("work of loads and supports") == "12.5 J/m"
+    assert page.value("held and lost in all") == "12.5 J/m"
+    assert page.value("in shear") == "41"
+    assert page.value("relative error") == "8 × 10⁻⁷"
+    assert ["boundary.top", "1 N/m", "1 ms", "−3 × 10⁶ N/m", "1.6 ms"] in page.rows
+
+
+def test_rows_of_flow(flow, without_pictures):
+    page = page_at(percolith.report(flow))
+    summary = RunDirectory(flow).summary
+    assert "The run came to its end at" in page.said
+    assert page.value("version of percolith") == summary["version"]
+    assert page.value("hash of the final state") == summary["state_hash"]
+    assert page.value("triangles") == "3004"
+    assert page.value("smallest edge") == "0.36483 m"
+    assert page.value("limit by crack flow") == "681.82 ns"
+    assert page.value("permeability").endswith(" m²")
+    assert float(page.value("relative error").split(" ")[0]) >= 0
+    assert "resolved.toml" in page.said and "Derived values" in page.said
+    # Rock at rest: cracks by their ends, nothing that moves.
+    assert "displacement" not in page.arrays and not page.about["deforms"]
+    cracks = RunDirectory(flow).frame().cracks
+    ends = page.arrays["ends"].reshape(-1, 2, 2) + page.about["origin"]
+    assert ends == pytest.approx(cracks.points[cracks.cells], abs=1e-5)
+
+
+def test_a_steady_run_tells_rates(run_example, without_pictures, tmp_path):
+    page = page_at(percolith.report(run_example("radial").results.path, tmp_path / "page.html"))
+    assert "The run found the steady state." in page.said
+    assert page.value("comes in").endswith(" m²/s")
+    assert "takes no step of time" in page.said
+
+
+def test_another_time_and_scale(coupled, without_pictures):
+    first = page_at(percolith.report(coupled, coupled / "first.html", time=0.0, scale=3))
+    assert first.about["moment"] == "t = 0 ms" and first.about["scale"] == 3
+    assert 'value="3"' in first.text
+
+
+def test_texts_of_the_user_stay_texts(mechanics, without_pictures, tmp_path):
+    run = shutil.copytree(mechanics, tmp_path / "run")
+    text = (run / "resolved.toml").read_text().replace(
+        "A block under axial compression", "a <b>bold</b> </script> title & more")
+    (run / "resolved.toml").write_text(text)
+    page = page_at(percolith.report(run))
+    assert "<b>" not in page.text and page.said.count("a <b>bold</b> </script> title & more") == 3
+
+
+def test_a_run_that_has_not_ended(coupled, tmp_path, without_pictures):
+    run = shutil.copytree(coupled, tmp_path / "run")
+    (run / "summary.json").unlink()
+    (run / "checkpoint.bin").write_bytes(b"")
+    (run / "run.log").write_text("2026-01-01T00:00:00+00:00 warning: elements are coarse\n")
+    page = page_at(percolith.report(run))
+    assert "Unfinished." in page.said and "elements are coarse" in page.said
+    assert f"percolith run --resume {run} goes on" in page.said
+    assert page.value("joints that broke in tension") == "16"
+    assert page.value("work of the fluid").endswith(" J/m")
+
+
+def test_a_run_that_has_only_begun(tmp_path):
+    run = tmp_path / "run"
+    run.mkdir()
+    (run / "resolved.toml").write_text('title = "Begun"\n[model]\nphysics = "coupled"\n')
+    page = page_at(percolith.report(run))
+    assert "The run has left no results in tables yet." in page.said
+    assert "There is nothing to draw" in page.said and page.about is None
+
+
+@pytest.mark.parametrize("name", ["history.csv", "events.csv"])
+def test_a_missing_table_of_a_run_that_ended(mechanics, tmp_path, capsys, without_pictures, name):
+    run = shutil.copytree(mechanics, tmp_path / "run")
+    (run / name).unlink()
+    (run / "report.html").write_text("an earlier page")
+    assert reports.main([str(run)]) == 2
+    assert f"{run / name}: missing" in capsys.readouterr().err
+    assert (run / "report.html").read_text() == "an earlier page"
+
+
+def test_missing_and_damaged_field_files(mechanics, tmp_path, capsys, without_pictures):
+    run = shutil.copytree(mechanics, tmp_path / "run")
+    field = run / "fields/matrix_000001.vtu"
+    field.write_bytes(field.read_bytes()[:2000])
+    assert reports.main([str(run)]) == 4
+    assert f"{field}: not a field file of Percolith, or damaged" in capsys.readouterr().err
+    field.unlink()
+    assert reports.main([str(run)]) == 4
+    assert str(field) in capsys.readouterr().err
+    assert not list(run.glob("*report.html*")) and not list(run.glob(".report*"))
+
+
+def test_no_run_directory(tmp_path, capsys):
+    assert reports.main([str(tmp_path)]) == 2
+    assert f"{tmp_path}: not a run directory" in capsys.readouterr().err
+
+
+def test_output_in_a_missing_folder(mechanics, tmp_path, capsys, without_pictures):
+    assert reports.main([str(mechanics), "--output", str(tmp_path / "absent/page.html")]) == 4
+    assert "absent" in capsys.readouterr().err
+
+
+def test_scale_is_for_mechanics(flow, capsys):
+    assert reports.main([str(flow), "--scale", "10"]) == 2
+    assert "--scale is for runs of mechanics" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("option, value", [("--time", "noon"), ("--scale", "-1"),
+                                           ("--scale", "nan")])
+def test_wrong_options(mechanics, capsys, option, value):
+    with pytest.raises(SystemExit):
+        reports.main([str(mechanics), f"{option}={value}"])
+    assert f"{option} = {value}: allowed: " in capsys.readouterr().err
