@@ -15,7 +15,8 @@ namespace {
 
 constexpr const char* footer =
     "Programs named percolith-NAME next to this one or on the PATH run as percolith NAME;\n"
-    "percolith plot DIR draws the results of a run, percolith report DIR puts all of them into one\n"
+    "percolith plot DIR draws the results of a run, percolith report DIR puts all of them into "
+    "one\n"
     "page for a browser.\n"
     "\n"
     "Exit codes: 0 success, 2 bad input, 3 the solver cannot go on, 4 a file cannot be read or\n"

@@ -74,8 +74,9 @@ TEST(CommandLine, ReadsTheOtherCommands) {
 }
 
 TEST(CommandLine, RefusesWithAHintWhereHelpIs) {
-  EXPECT_EQ(refusal({}), "error: no command given; allowed: run, check, schema, new, plot; see "
-                         "percolith --help");
+  EXPECT_EQ(refusal({}),
+            "error: no command given; allowed: run, check, schema, new, plot, report; see "
+            "percolith --help");
   EXPECT_EQ(refusal({"run"}), "error: CASE is required; see percolith run --help");
   EXPECT_EQ(refusal({"run", "case.toml", "--thread", "2"}),
             "error: unknown argument --thread, did you mean --threads?; see percolith run --help");
