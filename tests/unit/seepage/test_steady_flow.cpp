@@ -15,7 +15,7 @@ namespace {
 
 using test::at;
 
-const test::Grid irregular{.columns = 12, .rows = 10, .jitter = 0.3, .mixed_diagonals = true};
+const test::Grid wide_grid{.columns = 12, .rows = 10, .jitter = 0.3, .mixed_diagonals = true};
 
 bool on_edge(const Point& p) {
   return p.x == 0.0 || p.x == 1.0 || p.y == 0.0 || p.y == 1.0;
@@ -43,7 +43,7 @@ TEST(SteadyFlow, IsExactForLinearFieldsWithAFullTensor) {
   options.rock.permeability = {3e-13, 1e-13, -1.2e-13};
   const auto field = [](const Point& p) { return 1e6 + 3e5 * p.x - 7e5 * p.y; };
   for (const unsigned numbering : {0u, 1u, 2u}) {
-    EXPECT_LT(error_of(irregular, options, field, numbering), 1e-12 * 1e6);
+    EXPECT_LT(error_of(wide_grid, options, field, numbering), 1e-12 * 1e6);
   }
 }
 
@@ -73,7 +73,7 @@ double flow_through_strip(PoreJoints joints, double factor, SteadyResult* result
   test::FlowOptions options;
   options.joints = joints;
   options.joint_factor = factor;
-  Model model = test::make_flow(test::make_grid(irregular), options);
+  Model model = test::make_flow(test::make_grid(wide_grid), options);
   test::prescribe_pores(model, "left", 1e5, [](const Point& p) { return p.x == 0.0; });
   test::prescribe_pores(model, "right", 0.0, [](const Point& p) { return p.x == 1.0; });
   Execution execution;
@@ -102,7 +102,7 @@ TEST(SteadyFlow, FiniteJointsApproachTheTiedLimitAsOneOverN) {
 TEST(SteadyFlow, GravityIsBalancedByTheHydrostaticPressure) {
   test::FlowOptions options;
   options.gravity = 9.81;
-  Model model = test::make_flow(test::make_grid(irregular), options);
+  Model model = test::make_flow(test::make_grid(wide_grid), options);
   test::prescribe_pores(model, "top", 0.0, [](const Point& p) { return p.y == 1.0; });
   Execution execution;
   const auto result = solve_steady(model, execution);
@@ -179,7 +179,7 @@ TEST(SteadyFlow, FiniteJointsAndInfiniteExchangeGoTogether) {
 }
 
 TEST(SteadyFlow, SourcesAreBalancedByTheBoundary) {
-  Model model = test::make_flow(test::make_grid(irregular), {});
+  Model model = test::make_flow(test::make_grid(wide_grid), {});
   test::prescribe_pores(model, "edge", 1e5, on_edge);
   test::inject_pores(model, "well", Schedule::constant(3e-9), {0.5, 0.5});
   Execution execution;
@@ -192,7 +192,7 @@ TEST(SteadyFlow, SourcesAreBalancedByTheBoundary) {
 
 TEST(SteadyFlow, ASeepageFaceLetsFluidOutButNotIn) {
   for (const bool out : {true, false}) {
-    Model model = test::make_flow(test::make_grid(irregular), {});
+    Model model = test::make_flow(test::make_grid(wide_grid), {});
     test::prescribe_pores(model, "left", out ? 1e5 : 1e4,
                           [](const Point& p) { return p.x == 0.0; });
     test::face_pores(model, "right", out ? 1e4 : 1e5, [](const Point& p) { return p.x == 1.0; });
@@ -209,7 +209,7 @@ TEST(SteadyFlow, SuctionIsRefusedWithItsPlace) {
   const auto solve = [](double cavitation) {
     test::FlowOptions options;
     options.fluid.cavitation_pressure = cavitation;
-    Model model = test::make_flow(test::make_grid(irregular), options);
+    Model model = test::make_flow(test::make_grid(wide_grid), options);
     test::prescribe_pores(model, "left", 1e4, [](const Point& p) { return p.x == 0.0; });
     test::inject_pores(model, "pump", Schedule::constant(-1e-5), {1.0, 0.0});
     Execution execution;

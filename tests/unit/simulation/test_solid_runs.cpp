@@ -15,7 +15,7 @@ namespace {
 
 using test::value_of;
 
-const test::Grid grid{.columns = 4, .rows = 4, .jitter = 0.2};
+const test::Grid irregular_grid{.columns = 4, .rows = 4, .jitter = 0.2};
 
 /// The largest displacement of the last frame, m.
 double largest_displacement(const Frame& frame) {
@@ -39,7 +39,7 @@ TEST(SolidRuns, InSituStressStaysAtRest) {
   for (const RockJoints joints : {RockJoints::elastic, RockJoints::breakable}) {
     setup.material["sandstone"].joints = joints;
     test::SolidRecorder recorder;
-    const Summary summary = test::run(setup, test::make_grid(grid), recorder);
+    const Summary summary = test::run(setup, test::make_grid(irregular_grid), recorder);
     EXPECT_LT(largest_displacement(recorder.frames.back()), 1e-13);
     EXPECT_LT(value_of(summary.mechanics, "unbalanced_ratio"), 1e-10);
     EXPECT_NEAR(test::cell_values(recorder.frames.back(), "stress_xy_Pa")[3], 1e6, 1.0);
@@ -72,7 +72,7 @@ TEST(SolidRuns, AStretchedBlockBreaksWithEventsThatAreAccountedFor) {
   simulation::Setup setup = stretched();
   setup.time.safety = 0.2;
   test::SolidRecorder recorder;
-  const Summary summary = test::run(setup, test::make_grid(grid), recorder);
+  const Summary summary = test::run(setup, test::make_grid(irregular_grid), recorder);
   ASSERT_FALSE(recorder.events.empty());
   EXPECT_EQ(value_of(summary.mechanics, "broken_joints"),
             static_cast<double>(recorder.events.size()));
@@ -110,7 +110,7 @@ TEST(SolidRuns, AStretchedBlockBreaksWithEventsThatAreAccountedFor) {
 TEST(SolidRuns, PeaksOfReactionsAreThoseOfTheHistory) {
   simulation::Setup setup = stretched();
   test::SolidRecorder recorder;
-  const Summary summary = test::run(setup, test::make_grid(grid), recorder);
+  const Summary summary = test::run(setup, test::make_grid(irregular_grid), recorder);
   ASSERT_EQ(summary.peak_reactions.size(), 2u);
   for (const PeakReaction& peak : summary.peak_reactions) {
     double largest = 0.0;
@@ -139,12 +139,12 @@ TEST(SolidRuns, TwoRunsAreEqual) {
   setup.time.end = 2e-3;
   test::SolidRecorder first;
   test::SolidRecorder second;
-  const std::string hash = test::run(setup, test::make_grid(grid), first).state_hash;
-  EXPECT_EQ(test::run(setup, test::make_grid(grid), second).state_hash, hash);
+  const std::string hash = test::run(setup, test::make_grid(irregular_grid), first).state_hash;
+  EXPECT_EQ(test::run(setup, test::make_grid(irregular_grid), second).state_hash, hash);
   EXPECT_EQ(first.events.size(), second.events.size());
   setup.material["sandstone"].weibull_seed = 2;
   test::SolidRecorder third;
-  EXPECT_NE(test::run(setup, test::make_grid(grid), third).state_hash, hash);
+  EXPECT_NE(test::run(setup, test::make_grid(irregular_grid), third).state_hash, hash);
 }
 
 TEST(SolidRuns, StopsAtRest) {
@@ -161,7 +161,7 @@ TEST(SolidRuns, StopsAtRest) {
   for (const RockJoints joints : {RockJoints::elastic, RockJoints::breakable}) {
     setup.material["sandstone"].joints = joints;
     test::SolidRecorder recorder;
-    const Summary summary = test::run(setup, test::make_grid(grid), recorder);
+    const Summary summary = test::run(setup, test::make_grid(irregular_grid), recorder);
     EXPECT_TRUE(summary.reached_rest);
     EXPECT_LT(summary.end_time, 1.0);
     EXPECT_NEAR(value_of(summary.last.mechanics, "boundary.bottom.reaction_y_N_per_m"), 2e6, 20.0);
@@ -186,7 +186,7 @@ TEST(SolidRuns, WhatIsStillMovedIsNotAtRest) {
   setup.time.end = 0.05;
   setup.time.stop_ratio = 0.5;
   test::SolidRecorder recorder;
-  const Summary summary = test::run(setup, test::make_grid(grid), recorder);
+  const Summary summary = test::run(setup, test::make_grid(irregular_grid), recorder);
   EXPECT_FALSE(summary.reached_rest);
   EXPECT_DOUBLE_EQ(summary.end_time, 0.05);
 }
@@ -260,7 +260,7 @@ TEST(SolidRuns, ProbesAndHistoryTellTheMotion) {
   setup.probe["middle"].point = std::array<double, 2>{0.5, 0.5};
   setup.output.interval = 5e-4;
   test::SolidRecorder recorder;
-  test::run(setup, test::make_grid(grid), recorder);
+  test::run(setup, test::make_grid(irregular_grid), recorder);
   ASSERT_EQ(recorder.probe_times, (std::vector<double>{0.0, 5e-4, 1e-3}));
   const ProbeSample& last = recorder.probes.back().at(0);
   EXPECT_EQ(last.columns.at(1), "displacement_y_m");
@@ -271,7 +271,7 @@ TEST(SolidRuns, ProbesAndHistoryTellTheMotion) {
 
 TEST(SolidRuns, AThrownBodyFliesAndARigidOneLeads) {
   simulation::Setup setup = test::solid_setup();
-  mesh::GmshMesh file = test::make_grid(grid);
+  mesh::GmshMesh file = test::make_grid(irregular_grid);
   const mesh::GmshMesh other = test::make_grid({.columns = 2, .rows = 2, .origin = {1.5, 0.0}});
   const auto shift = static_cast<std::int32_t>(file.points.size());
   file.points.insert(file.points.end(), other.points.begin(), other.points.end());
@@ -304,7 +304,7 @@ TEST(SolidRuns, AThrownBodyFliesAndARigidOneLeads) {
 
 TEST(SolidRuns, ARollerHoldsAcrossAnInclinedEdge) {
   // The block turned by 30 degrees slides along its lower side.
-  mesh::GmshMesh file = test::make_grid(grid);
+  mesh::GmshMesh file = test::make_grid(irregular_grid);
   const double c = std::cos(0.5235987755982988);
   for (Point& p : file.points) {
     p = {c * p.x - 0.5 * p.y, 0.5 * p.x + c * p.y};
@@ -325,7 +325,7 @@ TEST(SolidRuns, ARollerHoldsAcrossAnInclinedEdge) {
 TEST(SolidRuns, MassScalingTakesItsStep) {
   simulation::Setup setup = test::solid_setup();
   setup.model.gravity = 9.81;
-  const auto file = test::make_grid(grid);
+  const auto file = test::make_grid(irregular_grid);
   const double limit = Simulation(setup, file).check().limits.back().step;
   setup.time.mass_scaling_step = 3.0 * limit;
   const CheckReport report = Simulation(setup, file).check();
@@ -343,7 +343,7 @@ TEST(SolidRuns, RunsAtTheFullLimitAndEndsOnTime) {
   setup.boundary["left"] = test::on("left");
   setup.boundary["left"].velocity_x = Schedule::constant(1e-3);
   test::SolidRecorder recorder;
-  const Summary summary = test::run(setup, test::make_grid(grid), recorder);
+  const Summary summary = test::run(setup, test::make_grid(irregular_grid), recorder);
   EXPECT_EQ(summary.end_time, 1.2345e-3);
   EXPECT_LT(value_of(summary.mechanics, "kinetic_J_per_m"), 5000.0 * 1e-6);
   EXPECT_TRUE(recorder.events.empty());
