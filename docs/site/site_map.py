@@ -10,12 +10,14 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
+import notebook_pages  # noqa: E402
 import source_tree  # noqa: E402
 
 # Pages that are made when the site is built have no file in the repository.
 GUIDE = ["docs/start.md", "docs/concepts.md", "docs/case-file.md", "docs/choosing.md",
          "docs/options.md", "docs/run-directory.md", "docs/pictures.md", "docs/python.md",
-         "python-reference", "docs/troubleshooting.md"]
+         "docs/notebooks/first_steps.ipynb", "docs/notebooks/stepping.ipynb",
+         "docs/notebooks/study.ipynb", "python-reference", "docs/troubleshooting.md"]
 THEORY = ["docs/theory.md", "docs/equations.md"]
 PROJECT = ["docs/performance.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "decisions/index",
            "CHANGELOG.md", "BASELINES.md"]
@@ -27,16 +29,24 @@ def tracked(root: Path = ROOT) -> list[str]:
 
 
 def page_name(file: str) -> str:
-    """Name of the page of a Markdown file: `index` of its folder for a README, and what lies in
-    `docs/` at the top."""
-    name = file.removeprefix("docs/").removesuffix(".md")
+    """Name of the page of a Markdown file or a notebook: `index` of its folder for a README, and
+    what lies in `docs/` at the top."""
+    name = file.removeprefix("docs/").removesuffix(".md").removesuffix(notebook_pages.SUFFIX)
     folder, last = posixpath.split(name)
     return posixpath.join(folder, "index" if last == "README" else last.lower())
 
 
 def pages(files: list[str]) -> dict[str, str]:
-    """The page of each Markdown file."""
-    return {file: page_name(file) for file in files if file.endswith(".md")}
+    """The page of each Markdown file and notebook."""
+    return {file: page_name(file) for file in files
+            if file.endswith((".md", notebook_pages.SUFFIX))}
+
+
+def text_of(file: str) -> str:
+    """The Markdown of a page."""
+    if file.endswith(notebook_pages.SUFFIX):
+        return notebook_pages.markdown(file)
+    return (ROOT / file).read_text(encoding="utf-8")
 
 
 def relative(target: str, page: str) -> str:

@@ -19,6 +19,7 @@ import gallery
 import links
 import markdown_text
 import mentions
+import notebook_pages
 import python_page
 import site_map
 import subscripts
@@ -82,7 +83,7 @@ def stage(folder: Path) -> list[str]:
     problems: list[str] = []
     made: dict[str, str] = {}
     names = mentions.collect(site.files)
-    texts = {file: (ROOT / file).read_text(encoding="utf-8") for file in site.pages}
+    texts = {file: site_map.text_of(file) for file in site.pages}
     numbered = {file: equations.own_places(texts[file])
                 for file in (equations.THEORY, equations.PAPER)}
     for file, page in site.pages.items():
@@ -113,6 +114,10 @@ def write(folder: Path, made: dict[str, str], site: links.Site) -> None:
         target = folder / f"{page}.md"
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text(text, encoding="utf-8")
+    for file, page in site.pages.items():
+        if file.endswith(notebook_pages.SUFFIX):
+            for name, data in notebook_pages.pictures(file).items():
+                (folder / page).with_name(name).write_bytes(data)
     for picture in sorted(site.pictures):
         target = folder / picture.removeprefix("docs/")
         target.parent.mkdir(parents=True, exist_ok=True)

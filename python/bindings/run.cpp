@@ -85,6 +85,11 @@ std::span<const double> span_of(const Values& values) {
   return {values.data(), values.shape(0)};
 }
 
+nb::object writable(std::span<double> values, nb::handle owner) {
+  return nb::cast(
+      nb::ndarray<nb::numpy, double, nb::ndim<1>>(values.data(), {values.size()}, owner));
+}
+
 std::vector<Point> points_of(const Values& values) {
   std::vector<Point> points;
   for (std::size_t i = 0; i + 1 < values.shape(0); i += 2) {
@@ -160,6 +165,13 @@ void bind_run(nb::module_& module) {
       "Displacements (m) and velocities (m/s) at time zero, x and y of each vertex in turn; empty "
       "for none. Raises CaseError.");
   run.def(
+      "set_condition",
+      [](DrivenRun& r, const std::string& path, double value) {
+        r.with([&](Simulation&) { r.run()->set_condition(path, value); });
+      },
+      "path"_a, "value"_a,
+      "The value (SI) that a condition of the flow has from now on. Raises CaseError.");
+  run.def(
       "set_pore_pressure",
       [](DrivenRun& r, const Values& pressure) {
         r.with([&](Simulation& s) { s.set_pore_pressure(span_of(pressure)); });
@@ -171,6 +183,27 @@ void bind_run(nb::module_& module) {
         r.with([&](Simulation& s) { s.set_crack_pressure(span_of(pressure)); });
       },
       "pressure"_a, "Pressures of the open crack nodes per vertex, Pa. Raises CaseError.");
+  run.def(
+      "change_pressures",
+      [](DrivenRun& r, const Values& pores, const Values& former_pores, const Values& cracks,
+         const Values& former_cracks) {
+        r.with([&](Simulation& s) {
+          s.change_pressures({span_of(pores), span_of(former_pores)},
+                             {span_of(cracks), span_of(former_cracks)});
+        });
+      },
+      "pores"_a, "former_pores"_a, "cracks"_a, "former_cracks"_a,
+      "The same for those nodes of both that have another pressure than the former, or for none. "
+      "Raises CaseError.");
+  run.def(
+      "pressure_memory",
+      [](nb::handle self) {
+        const auto memory =
+            nb::cast<DrivenRun&>(self).with([](Simulation& s) { return s.pressure_memory(); });
+        return nb::make_tuple(writable(memory.pores, self), writable(memory.cracks, self));
+      },
+      "Pressures of pores (corner slots,) and cracks (vertices,) in place, Pa, to be written to. "
+      "Raises CaseError.");
 }
 
 }  // namespace percolith::python

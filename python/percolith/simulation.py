@@ -9,13 +9,15 @@ import math
 import os
 import sys
 import warnings
-from collections.abc import Callable, Mapping
-from typing import Any
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from percolith import _core
 from percolith.errors import CaseError, CaseWarning
+from percolith.options import describe
 from percolith.run_directory import (
     EVENT_WORDS,
     Frame,
@@ -63,6 +65,13 @@ def _require_threads(threads: int | None) -> None:
         raise CaseError(f"error: threads = {threads}: no number of threads; allowed: 1 or more")
 
 
+class Pressures(NamedTuple):
+    """Pressures in place, Pa: of the pores, (blocks, 8, 3), and of the cracks, (vertices,)."""
+
+    pressure: np.ndarray
+    crack_pressure: np.ndarray
+
+
 class Simulation:
     """A model that is advanced step by step. `Case.simulation` makes one.
 
@@ -82,6 +91,7 @@ class Simulation:
     def __init__(self, run: _core.Run, output: str | os.PathLike | None):
         self._run = run
         self._output = output
+        self._is_writing = False
 
     def __enter__(self) -> Simulation:
         return self
@@ -103,6 +113,9 @@ class Simulation:
         the end of the run where none is given. Raises SolverError, after which the results up to
         the last output are kept.
         """
+        if self._is_writing:
+            raise CaseError("error: advance: its pressures are being written to; allowed: after the "
+                            "block of writing()")
         time = math.inf if until is None else _seconds(until)
         if steps is not None and steps < 1:
             raise CaseError(f"error: steps = {steps}: no number of steps; allowed: 1 or more")
@@ -263,6 +276,17 @@ class Simulation:
             raise CaseError(f"error: {name}: an array of shape {values.shape}; allowed: {shape}")
         return values.ravel()
 
+    def set_condition(self, option: str, value: float | str) -> None:
+        """Changes a condition of the flow while the simulation waits: `option`, such as
+        "source.well.rate" or "boundary.left.pressure", has this value from now on at all times,
+        whatever table over time the case gives. value: in SI, or a text with a unit. Checkpoints
+        know of it and the log tells it; `resolved.toml` keeps what the run began with. Raises
+        CaseError for another option, a value that cannot be, and a condition that presses on the
+        rock as well (`pressurised`, excavations)."""
+        if isinstance(value, str):
+            value = quantity(value, describe(option).unit)
+        self._run.set_condition(option, float(value))
+
     def set_pressure(self, pressure: Any) -> None:
         """Gives the pores pressures, Pa: one number, an array (vertices,), or one (triangles, 3)
         where the pressure jumps across cracks. Nodes become full. Contents follow; the fluid that
@@ -281,6 +305,29 @@ class Simulation:
             raise CaseError(f"error: pressure: an array of shape {values.shape}; allowed: a "
                             f"number, or ({count},), one for each vertex")
         self._run.set_crack_pressure(np.ascontiguousarray(np.broadcast_to(values, (count,))))
+
+    @contextmanager
+    def writing(self) -> Iterator[Pressures]:
+        """The pressures of the simulator itself, to be written to in place:
+
+            with simulation.writing() as fluid:
+                fluid.pressure[...] += 1e5
+                fluid.crack_pressure[simulation.flow.crack_nodes] = 2e6
+
+        At the end of the block what has changed becomes the state: all corners of a pore node must
+        have the same pressure, nodes that changed become full, and contents follow as for
+        `set_pressure`. Where that cannot be, or the block raises, all is as it was before. Raises
+        as `set_pressure` does."""
+        pores, cracks = self._run.pressure_memory()
+        before = pores.copy(), cracks.copy()
+        self._is_writing = True
+        try:
+            yield Pressures(pores.reshape(-1, 3, 8).transpose(0, 2, 1), cracks)
+        finally:
+            self._is_writing = False
+            wanted = pores.copy(), cracks.copy()
+            pores[:], cracks[:] = before
+        self._run.change_pressures(wanted[0], before[0], wanted[1], before[1])
 
     def _slots(self, given: Any) -> np.ndarray:
         triangles = self.mesh.triangles

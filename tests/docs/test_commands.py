@@ -20,25 +20,21 @@ MESHES = {"strip.msh": "examples/strip/strip_05.msh",
           "brazilian.msh": "examples/brazilian/brazilian.msh"}
 
 
-def text_of(file: str) -> str:
-    return (ROOT / file).read_text(encoding="utf-8")
-
-
 def whole_cases() -> list[tuple[str, markdown_text.Block]]:
     """The blocks that are a case by themselves."""
     tables = ("format = 1", "[mesh]", "[material.", "[time]")
     return [(file, block) for file in FILES if file != RUN
-            for block in markdown_text.blocks(text_of(file))
+            for block in markdown_text.blocks(site_map.text_of(file))
             if block.language == "toml" and all(table in block.text for table in tables)]
 
 
 def geometry_named(name: str) -> str:
     """The geometry that the README gives for its first case; the block of the start page, with its
     notch as long as the guide's."""
-    found = {"wall.geo": (block.text for block in markdown_text.blocks(text_of("README.md"))
+    found = {"wall.geo": (block.text for block in markdown_text.blocks(site_map.text_of("README.md"))
                           if "Physical Curve" in block.text),
              "block.geo": (re.sub(r"notch = 0\.3;", "notch = 0.4;", block.text)
-                           for block in markdown_text.blocks(text_of(RUN)) if block.language == "c")}
+                           for block in markdown_text.blocks(site_map.text_of(RUN)) if block.language == "c")}
     return next(found[name])
 
 
@@ -82,7 +78,7 @@ def changed_cases() -> list[tuple[str, str]]:
     of cases that other tests run; names such as my_case are of nothing that exists."""
     found = {}
     for file in FILES:
-        for command in commands(text_of(file)) if file != RUN else []:
+        for command in commands(site_map.text_of(file)) if file != RUN else []:
             case = shlex.split(command, comments=True)[0]
             here = (ROOT / file).parent
             folder = next((place for place in (here, ROOT) if (place / case).is_file()), None)

@@ -10,14 +10,8 @@ import markdown_text
 import pytest
 import site_map
 
-from conftest import ROOT
-
 SITE = links.open_site()
 PAGES = sorted(SITE.pages)
-
-
-def text_of(file: str) -> str:
-    return (ROOT / file).read_text(encoding="utf-8")
 
 
 def problems(file: str, text: str) -> list[str]:
@@ -31,14 +25,14 @@ def problems(file: str, text: str) -> list[str]:
             found.append(f"{file}:{line}: {missing}")
             continue
         if anchor and (where not in SITE.pages
-                       or anchor not in markdown_text.anchors(text_of(where))):
+                       or anchor not in markdown_text.anchors(site_map.text_of(where))):
             found.append(f'{file}:{line}: link to "{target}": no such heading')
     return found
 
 
 @pytest.mark.parametrize("file", PAGES)
 def test_links_and_anchors_resolve(file):
-    assert problems(file, text_of(file)) == []
+    assert problems(file, site_map.text_of(file)) == []
 
 
 def test_what_leads_nowhere_is_found():

@@ -5,6 +5,7 @@ import numpy as np
 import percolith
 import pytest
 from percolith import mesh
+from percolith.mesh.closeness import close_pairs, crossings, near_pieces
 
 pytest.importorskip("gmsh")
 
@@ -47,6 +48,18 @@ def test_a_rectangle_with_a_crack(tmp_path):
     assert made.fractures == ("crack",) and made.sides == ("bottom", "left", "right", "top")
     assert report.smallest_edge < 0.06 and report.largest_edge > 0.15
     assert not made.changes
+
+
+@pytest.mark.parametrize("irregular", [True, False])
+def test_triangles_that_cracks_run_along_lie_in_no_order(tmp_path, coupled, irregular):
+    made = mesh.rectangle(tmp_path / "m.msh", 1, 1, size=0.05, irregular=irregular)
+    case = percolith.Case({"mesh.file": made.file, "model": {"physics": "mechanics", "gravity": 0},
+                           "material.rock": {**coupled["material.rock"].to_dict()},
+                           "time.end": "1 ms"})
+    for name in ("permeability", "porosity", "biot_modulus", "biot_coefficient"):
+        del case[f"material.rock.{name}"]
+    warned = [text for text in case.check().warnings if "run in few directions" in text]
+    assert len(warned) == (0 if irregular else 1)
 
 
 def test_a_disc_with_loaded_arcs(tmp_path):
@@ -121,6 +134,55 @@ def test_a_network_is_meshed_whatever_the_seed(tmp_path, seed):
     total = sum(fracture.length for fracture in network)
     assert report.fracture_length == pytest.approx(total, rel=0.1)
     assert made.fractures == ("first", "second")
+
+
+@pytest.mark.parametrize("seed", [3, 17])
+def test_hundreds_of_fractures_are_brought_apart(seed):
+    region, tolerance = mesh.box(10, 10), 0.05
+    network = mesh.fracture_network(region, [
+        mesh.FractureSet(angle_deg=20, spread_deg=10, shortest=0.5, longest=8, density=1.5),
+        mesh.FractureSet(density=1, shortest=0.3, longest=5)], seed)
+    assert len(network) > 250
+    lines = mesh.arrange(region, network, tolerance)
+    ends = np.array([[edge.a, edge.b] for edge in lines.edges])
+    inner = np.array([edge.owner >= 0 for edge in lines.edges])
+    assert sum(map(lines.length, np.array(lines.edges)[inner])) == pytest.approx(
+        sum(fracture.length for fracture in network), rel=0.1)
+
+    used = np.unique(ends)
+    gap = np.hypot(*(lines.nodes[used][:, None] - lines.nodes[used]).transpose(2, 0, 1))
+    fixed = lines.fixed[used]
+    assert gap[np.triu(~(fixed[:, None] & fixed), 1)].min() >= tolerance
+    start, way = lines.nodes[ends[:, 0]], lines.nodes[ends[:, 1]] - lines.nodes[ends[:, 0]]
+    for node in used[~fixed]:
+        share = np.clip(np.sum((lines.nodes[node] - start) * way, axis=1)
+                        / np.sum(way**2, axis=1), 0, 1)
+        apart = np.hypot(*(lines.nodes[node] - start - share[:, None] * way).T)
+        assert apart[(ends != node).all(axis=1)].min() >= 0.86 * tolerance
+
+
+def test_places_and_pieces_that_are_close_are_found():
+    generator = np.random.default_rng(1)
+    places, ends = generator.random((200, 2)), generator.random((150, 2, 2))
+    gap = np.hypot(*(places[:, None] - places).transpose(2, 0, 1))
+    pairs = {(i, j) for i, j, _ in zip(*close_pairs(places, 0.05))}
+    assert pairs == set(zip(*np.nonzero(np.triu(gap < 0.05, 1))))
+
+    def cross(u, v):
+        return u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
+
+    nodes = np.arange(300).reshape(150, 2)
+    found = {(i, j) for i, j, _ in zip(*crossings(ends, nodes))}
+    a, b = ends[:, 0], ends[:, 1]
+    parts = cross((b - a)[:, None], a - a[:, None]) * cross((b - a)[:, None], b - a[:, None]) < 0
+    assert found == set(zip(*np.nonzero(np.triu(parts & parts.T, 1)))) and len(found) > 100
+    assert not len(crossings(ends, np.zeros_like(nodes))[0])
+
+    near = {(i, j) for i, j, *_ in zip(*near_pieces(ends, places, 0.05))}
+    way, to_place = (b - a)[:, None], places - a[:, None]
+    share = np.sum(to_place * way, axis=2) / np.sum(way**2, axis=2)
+    beside = np.hypot(*(to_place - share[..., None] * way).transpose(2, 0, 1)) < 0.05
+    assert near == set(zip(*np.nonzero(beside & (share > 0) & (share < 1)))) and len(near) > 500
 
 
 def test_a_network_has_the_statistics_it_was_asked_for():

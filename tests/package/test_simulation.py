@@ -209,6 +209,52 @@ def test_pressures_in_cracks_are_written(coupled):
     assert np.abs(simulation.motion.displacement_y).max() > 0
 
 
+def test_pressures_are_written_in_place(coupled):
+    simulation = coupled.simulation()
+    nodes = simulation.flow.crack_nodes
+    with simulation.writing() as fluid:
+        assert np.shares_memory(fluid.pressure, simulation.flow.pressure)
+        assert fluid.pressure.shape == simulation.flow.pressure.shape
+        fluid.pressure[...] = 1e5
+        fluid.crack_pressure[nodes] += 2e6
+        with pytest.raises(percolith.CaseError, match="being written to"):
+            simulation.advance()
+    assert simulation.triangle_values(simulation.flow.pressure) == pytest.approx(1e5, rel=1e-12)
+    assert simulation.flow.crack_pressure[nodes] == pytest.approx(2e6, rel=1e-12)
+    given = coupled.simulation()
+    given.set_pressure(1e5)
+    given.set_crack_pressure(2e6)
+    assert simulation.state_hash == given.state_hash
+    simulation.advance(steps=3)
+    assert abs(simulation.mass_balance["relative_error"]) < 1e-9
+
+
+def test_what_is_not_changed_in_place_keeps_its_bits(strip):
+    strip["initial"] = {"water_table": 0.01}
+    strip["model.gravity"] = 9.81
+    strip["fluid.cavitation_pressure"] = 0
+    simulation = strip.simulation()
+    simulation.advance(steps=3)
+    before = simulation.state_hash
+    saturation = simulation.flow.saturation.copy()
+    assert saturation.min() < 1
+    with simulation.writing():
+        pass
+    assert simulation.state_hash == before
+    with pytest.raises(percolith.CaseError, match="share a pore"), simulation.writing() as fluid:
+        fluid.pressure[3, 2, 1] += 1.0
+    with pytest.raises(percolith.CaseError, match="cavitation"), simulation.writing() as fluid:
+        fluid.pressure[...] = -1.0
+    with pytest.raises(KeyError), simulation.writing() as fluid:
+        fluid.pressure[...] = 1.0
+        raise KeyError
+    assert simulation.state_hash == before
+    with simulation.writing() as fluid:
+        fluid.pressure[fluid.pressure > 5e4] += 10.0
+    assert simulation.state_hash != before
+    assert np.array_equal(saturation < 1, simulation.flow.saturation < 1)
+
+
 def test_pressures_that_cannot_be_are_refused(strip, mechanics):
     simulation = strip.simulation()
     before = simulation.flow.pressure.copy()

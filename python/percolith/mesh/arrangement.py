@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from percolith.errors import MeshError
+from percolith.mesh.closeness import close_pairs, crossings, near_pieces
 from percolith.mesh.fractures import Fracture
 from percolith.mesh.outline import Outline
 
@@ -31,7 +32,8 @@ class Change:
 
     def __str__(self) -> str:
         who = " and ".join(map(str, self.fractures)) or "none"
-        return (f"{self.kind} at ({self.place[0]:.6g}, {self.place[1]:.6g}): fracture {who}, "
+        x, y = (round(value, 9) + 0.0 for value in self.place)
+        return (f"{self.kind} at ({x:.6g}, {y:.6g}): fracture {who}, "
                 f"{self.distance:.3g} m")
 
 
@@ -46,8 +48,9 @@ class Edge:
 
 
 class Arrangement:
-    """Nodes and edges without crossings, nodes not closer than `tolerance` (m) to each other or to
-    edges they do not belong to, but for those of the outline among themselves."""
+    """Nodes and edges without crossings, nodes not closer than `tolerance` (m) to each other, nor
+    than 0.86 of it to edges they do not belong to, but for those of the outline among themselves.
+    """
 
     def __init__(self, outline: Outline, fractures: Sequence[Fracture], tolerance: float,
                  smallest_angle_deg: float):
@@ -103,78 +106,79 @@ class Arrangement:
                 kept.setdefault((min(edge.a, edge.b), max(edge.a, edge.b)), edge)
         self.edges = list(kept.values())
 
+    def _used(self) -> np.ndarray:
+        return np.unique([node for edge in self.edges for node in (edge.a, edge.b)])
+
+    def _ends(self) -> np.ndarray:
+        """Places of the ends of the edges, (edges, 2, 2)."""
+        return self.nodes[[[edge.a, edge.b] for edge in self.edges]]
+
     def _merge_nodes(self) -> bool:
-        """Brings the closest pair of nodes that are too close together."""
-        used = np.unique([node for edge in self.edges for node in (edge.a, edge.b)])
-        places = self.nodes[used]
-        gap = np.hypot(*(places[:, None] - places[None]).transpose(2, 0, 1))
-        free = ~(self.fixed[used][:, None] & self.fixed[used][None])
-        gap[~free | np.tri(len(used), dtype=bool)] = math.inf
-        closest = np.unravel_index(np.argmin(gap), gap.shape)
-        if not gap[closest] < self.tolerance:
-            return False
-        stays, goes = used[closest[0]], used[closest[1]]
-        if self.fixed[goes]:
-            stays, goes = goes, stays
-        if gap[closest] > 0.0:
-            self._note("points merged", self._owners(stays) | self._owners(goes),
-                       self.nodes[stays], gap[closest])
-        self._replace([Edge(stays if edge.a == goes else edge.a, stays if edge.b == goes else edge.b,
-                            edge.owner, edge.side) for edge in self.edges])
-        return True
+        """Brings together pairs of nodes that are too close, the closest first; what touches a pair
+        waits for the next pass."""
+        used = self._used()
+        first, second, gaps = close_pairs(self.nodes[used], self.tolerance)
+        done: dict[int, int] = {}
+        for i in np.argsort(gaps, kind="stable"):
+            stays, goes = int(used[first[i]]), int(used[second[i]])
+            if self.fixed[goes]:
+                stays, goes = goes, stays
+            if self.fixed[goes] or {stays, goes} & done.keys():
+                continue
+            if gaps[i] > 0.0:
+                self._note("points merged", self._owners(stays) | self._owners(goes),
+                           self.nodes[stays], gaps[i])
+            done |= {stays: stays, goes: stays}
+        self._replace([Edge(done.get(edge.a, edge.a), done.get(edge.b, edge.b), edge.owner, edge.side)
+                       for edge in self.edges] if done else self.edges)
+        return bool(done)
 
     def _split(self, edge: Edge, node: int) -> None:
-        rest = [other for other in self.edges if other is not edge]
-        self._replace([*rest, Edge(edge.a, node, edge.owner, edge.side),
-                       Edge(node, edge.b, edge.owner, edge.side)])
+        self._split_all({edge: node})
+
+    def _split_all(self, at: dict[Edge, int]) -> None:
+        """Splits edges, each at its node."""
+        rest = [edge for edge in self.edges if edge not in at]
+        halves = [half for edge, node in at.items()
+                  for half in (Edge(edge.a, node, edge.owner, edge.side),
+                               Edge(node, edge.b, edge.owner, edge.side))]
+        self._replace([*rest, *halves])
 
     def _split_at_nodes(self) -> bool:
-        """Splits the edge with the node closest to it, of those that are too close."""
-        used = np.unique([node for edge in self.edges for node in (edge.a, edge.b)])
-        places = self.nodes[used]
-        best: tuple[float, Edge, int, np.ndarray] | None = None
-        for edge in self.edges:
-            start, way = self.nodes[edge.a], self.nodes[edge.b] - self.nodes[edge.a]
-            share = (places - start) @ way / (way @ way)
-            foot = start + share[:, None] * way
-            gap = np.hypot(*(places - foot).T)
-            gap[(share <= 0.0) | (share >= 1.0) | (used == edge.a) | (used == edge.b)] = math.inf
+        """Splits edges at nodes that are too close to them, the closest first; an edge or a node
+        that has been dealt with waits for the next pass."""
+        used = self._used()
+        numbers, places, gaps, feet = near_pieces(self._ends(), self.nodes[used], self.tolerance)
+        at: dict[Edge, int] = {}
+        touched: set[int] = set()
+        for i in np.argsort(gaps, kind="stable"):
+            edge, node = self.edges[numbers[i]], int(used[places[i]])
+            if (node in (edge.a, edge.b) or edge in at or node in touched
+                    or (edge.owner == BOUNDARY and self.fixed[node])):
+                continue
+            # Of a small triangle only the longest side goes: otherwise they would take turns.
+            if self.length(edge) <= max(self._distance(node, edge.a), self._distance(node, edge.b)):
+                continue
+            if gaps[i] > 1e-9 * self.tolerance:
+                self._note("end moved to a line", self._owners(node) | {edge.owner}, feet[i], gaps[i])
             if edge.owner == BOUNDARY:
-                gap[self.fixed[used]] = math.inf
-            closest = int(np.argmin(gap))
-            if gap[closest] < min(self.tolerance, best[0] if best else math.inf):
-                best = float(gap[closest]), edge, int(used[closest]), foot[closest]
-        if best is None:
-            return False
-        gap, edge, node, foot = best
-        if gap > 1e-9 * self.tolerance:
-            self._note("end moved to a line", self._owners(node) | {edge.owner}, foot, gap)
-        if edge.owner == BOUNDARY:
-            self.nodes[node] = foot
-            self.fixed[node] = True
-        self._split(edge, node)
-        return True
+                self.nodes[node] = feet[i]
+                self.fixed[node] = True
+            at[edge] = node
+            touched |= {node, edge.a, edge.b}
+        self._split_all(at)
+        return bool(at)
 
     def _cross(self) -> bool:
-        """Makes a node where two edges cross."""
-        ends = np.array([[self.nodes[edge.a], self.nodes[edge.b]] for edge in self.edges])
-        start, way = ends[:, 0], ends[:, 1] - ends[:, 0]
-        for i, edge in enumerate(self.edges):
-            apart = start - start[i]
-            across = way[i, 0] * way[:, 1] - way[i, 1] * way[:, 0]
-            with np.errstate(divide="ignore", invalid="ignore"):
-                own = (apart[:, 0] * way[:, 1] - apart[:, 1] * way[:, 0]) / across
-                other = (apart[:, 0] * way[i, 1] - apart[:, 1] * way[i, 0]) / across
-            shared = np.array([bool({edge.a, edge.b} & {e.a, e.b}) for e in self.edges])
-            hits = (across != 0.0) & (own > 0) & (own < 1) & (other > 0) & (other < 1) & ~shared
-            if hits.any():
-                second = self.edges[int(np.argmax(hits))]
-                place = start[i] + own[np.argmax(hits)] * way[i]
-                node = self._add_node(place, BOUNDARY in (edge.owner, second.owner))
-                self._split(edge, node)
-                self._split(second, node)
-                return True
-        return False
+        """Makes nodes where edges cross, one an edge in a pass."""
+        nodes = np.array([[edge.a, edge.b] for edge in self.edges])
+        at: dict[Edge, int] = {}
+        for i, j, place in zip(*crossings(self._ends(), nodes)):
+            one, other = self.edges[i], self.edges[j]
+            if one not in at and other not in at:
+                at[one] = at[other] = self._add_node(place, BOUNDARY in (one.owner, other.owner))
+        self._split_all(at)
+        return bool(at)
 
     def _part_small_angles(self) -> bool:
         """Where two edges leave a node at a small angle, lets the second run along the first to
@@ -184,29 +188,33 @@ class Arrangement:
             for node, far in ((edge.a, edge.b), (edge.b, edge.a)):
                 way = self.nodes[far] - self.nodes[node]
                 leaving.setdefault(node, []).append((math.atan2(way[1], way[0]), far, edge))
+        present = set(self.edges)
+        parted = False
         for node, around in leaving.items():
             around.sort(key=lambda one: one[0])
             for first, second in zip(around, around[1:] + around[:1]):
                 angle = (second[0] - first[0]) % (2.0 * math.pi)
                 if (first[2] is not second[2] and angle < self._angle
+                        and {first[2], second[2]} <= present
                         and (first[2].owner, second[2].owner) != (BOUNDARY, BOUNDARY)):
                     keep, move = sorted([first, second], key=lambda one: one[2].owner)
                     self._run_together(node, keep, move, angle)
-                    return True
-        return False
+                    present.intersection_update(self.edges)
+                    parted = True
+                    break
+        return parted
 
     def _run_together(self, node: int, keep, move, angle: float) -> None:
         # A little more than the tolerance, so that both ends of the step between them stay.
         way = 1.2 * self.tolerance / (2.0 * math.sin(0.5 * angle))
         self._note("run together", {keep[2].owner, move[2].owner}, self.nodes[node], way)
         on_keep = self._node_along(node, keep, way)
-        rest = [edge for edge in self.edges if edge is not move[2]]
+        rest = [edge for edge in self.edges if edge != move[2]]
         on_move = move[1]
         if way < self._distance(node, move[1]) - self.tolerance:
             on_move = self._node_along(node, move, way, split=False)
             rest.append(Edge(on_move, move[1], move[2].owner, move[2].side))
-        self._replace([*[edge for edge in rest if edge in self.edges or edge.a == on_move],
-                       Edge(on_keep, on_move, move[2].owner, move[2].side)])
+        self._replace([*rest, Edge(on_keep, on_move, move[2].owner, move[2].side)])
 
     def _distance(self, a: int, b: int) -> float:
         return float(np.hypot(*(self.nodes[a] - self.nodes[b])))

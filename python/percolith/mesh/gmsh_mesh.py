@@ -17,16 +17,19 @@ from percolith.mesh.arrangement import BOUNDARY, Arrangement, Change
 from percolith.mesh.fractures import Fracture
 from percolith.mesh.outline import Outline
 
+_DELAUNAY, _FRONTAL = 5, 6  # algorithms of Gmsh; the second likes lattices of equilateral triangles
+
 
 @dataclass(frozen=True)
 class Sizes:
-    """Sizes of elements, m: far from fractures and fine sides; at both; and by how much they grow
-    with the distance, 1."""
+    """Sizes of elements, m: far from fractures and fine sides; at both; by how much they grow with
+    the distance, 1; and whether they lie in no order."""
 
     far: float
     near: float
     growth: float
     fine_sides: tuple[str, ...]
+    irregular: bool = True
 
 
 @dataclass(frozen=True)
@@ -92,6 +95,7 @@ def make_mesh(path: str | os.PathLike, outline: Outline, fractures: Sequence[Fra
             surfaces = _add_surfaces(gmsh, outline, lines, curves)
             sides, groups = _name_curves(gmsh, fractures, lines, curves)
             _set_sizes(gmsh, lines, curves, sizes)
+            gmsh.option.setNumber("Mesh.Algorithm", _DELAUNAY if sizes.irregular else _FRONTAL)
             gmsh.model.mesh.generate(2)
             gmsh.option.setNumber("Mesh.Binary", 1)
             gmsh.option.setNumber("Mesh.MshFileVersion", 4.1)

@@ -5,6 +5,8 @@ size: of the elements, m. fractures: lines that the mesh follows. size_at_fractu
 there, m; `size` where it is not given. growth: by how much elements grow per metre of distance from
 fractures and fine sides, 1. tolerance: what is closer than this is merged, m; half the smaller size
 where it is not given. smallest_angle_deg: lines that meet at less run together until they are apart.
+irregular: triangles in no order (Delaunay), which cracks that choose their way along edges need;
+False lays them out as evenly as can be, for rock that does not break.
 
 They return a `MadeMesh` and raise MeshError and FileError.
 """
@@ -28,7 +30,8 @@ from percolith.mesh.outline import Outline, box, circle, require_positive
 def outline_mesh(path: str | os.PathLike, outline: Outline, *, size: float,
                  fractures: Sequence[Fracture] = (), size_at_fractures: float | None = None,
                  growth: float = 0.2, tolerance: float | None = None,
-                 smallest_angle_deg: float = 20.0, fine_sides: Sequence[str] = (),
+                 smallest_angle_deg: float = 20.0, irregular: bool = True,
+                 fine_sides: Sequence[str] = (),
                  size_at_fine_sides: float | None = None) -> MadeMesh:
     """Meshes any outline. fine_sides: names of sides where elements are as small as at fractures,
     of `size_at_fine_sides`, m, where that is given."""
@@ -43,7 +46,8 @@ def outline_mesh(path: str | os.PathLike, outline: Outline, *, size: float,
         raise MeshError(f"fine_sides: no side {', '.join(sorted(unknown))}; there are: "
                         f"{', '.join(sorted(names))}")
     lines = arrange(outline, fractures, gap, smallest_angle_deg)
-    return make_mesh(path, outline, fractures, lines, Sizes(size, near, growth, tuple(fine_sides)))
+    return make_mesh(path, outline, fractures, lines,
+                     Sizes(size, near, growth, tuple(fine_sides), irregular))
 
 
 def rectangle(path: str | os.PathLike, width: float, height: float, *,

@@ -8,6 +8,7 @@ namespace percolith::coupling {
 
 Index add_drainage(seepage::Model& water, const std::string& name, double pressure) {
   water.conditions.name.push_back(name);
+  water.conditions.option.emplace_back("pressure");
   water.conditions.schedule.push_back(Schedule::constant(pressure));
   water.let_in.emplace_back();
   water.rate.push_back(0.0);

@@ -115,6 +115,14 @@ void CaseRun::start_from(const simulation::StartingMotion& start) {
   model_.simulation = std::move(again.simulation);
 }
 
+void CaseRun::set_condition(const std::string& path, double value) {
+  simulation().set_condition(path, value);
+  if (recorder_) {
+    recorder_->note(
+        fmt::format("at time {:.9g} s {} was set to {:.9g}", simulation().time(), path, value));
+  }
+}
+
 void CaseRun::begin() {
   if (recorder_) {
     observers_.insert(observers_.begin(), &recorder_->observer());

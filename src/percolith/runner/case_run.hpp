@@ -49,6 +49,9 @@ public:
   /// results are written, because a checkpoint would not tell of such a start.
   void start_from(const simulation::StartingMotion& start);
 
+  /// As `Simulation::set_condition`, noted in the log.
+  void set_condition(const std::string& path, double value);
+
   /// Starts, at time zero or from the checkpoint.
   void begin();
   /// As `Simulation::advance`. At the end the results are completed. What is thrown on the way is

@@ -40,6 +40,8 @@ public:
   /// Receives the reports of the simulation.
   [[nodiscard]] simulation::Observer& observer() { return observers_; }
 
+  /// A line of the log.
+  void note(const std::string& text) { log_.information(text); }
   void finish();
   /// `by`: what stopped it, a signal for instance.
   void interrupt(const std::string& by);

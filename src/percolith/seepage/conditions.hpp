@@ -35,9 +35,10 @@ struct FieldConditions {
 /// All boundary conditions and sources, by place. No node carries two prescribed pressures.
 struct Conditions {
   std::vector<Schedule> schedule;
-  std::vector<std::string> name;  ///< option path of each condition (`boundary.left`)
-  FieldConditions pore;           ///< places are corners; the condition acts on their node
-  FieldConditions crack;          ///< places are vertices
+  std::vector<std::string> name;    ///< option path of each condition (`boundary.left`)
+  std::vector<std::string> option;  ///< the option there whose value each takes (`pressure`)
+  FieldConditions pore;             ///< places are corners; the condition acts on their node
+  FieldConditions crack;            ///< places are vertices
 
   [[nodiscard]] double value(const NodeCondition& c, double t) const {
     return c.factor * schedule[static_cast<std::size_t>(c.schedule)].at(t) + c.offset;

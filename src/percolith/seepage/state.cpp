@@ -50,6 +50,7 @@ void describe_state(StateArchive& archive, Model& model) {
     rebuild_topology(model);
   }
   archive("state", model.state);
+  archive("schedules", model.conditions.schedule);
   archive("let_in", model.let_in);
   archive("rate", model.rate);
   archive("passed_in", model.passed_in);

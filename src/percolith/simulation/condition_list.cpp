@@ -55,11 +55,11 @@ void ConditionList::begin(const std::string& name, const std::string& option,
                           const Schedule& schedule) {
   conditions_.name.push_back(name);
   conditions_.schedule.push_back(schedule);
-  option_.push_back(option);
+  conditions_.option.push_back(option);
 }
 
 std::string ConditionList::key() const {
-  return fmt::format("{}.{}", conditions_.name.back(), option_.back());
+  return fmt::format("{}.{}", conditions_.name.back(), conditions_.option.back());
 }
 
 NodeCondition ConditionList::present(Index place, double factor, double offset) const {
@@ -120,7 +120,7 @@ void ConditionList::require_agreement(Index vertex, const NodeCondition& conditi
                         fmt::format("prescribes {:.6g} Pa at ({:g}, {:g}), where {}.{} prescribes "
                                     "{:.6g} Pa (at time {:g} s)",
                                     a, p.x, p.y, conditions_.name[at(other.condition)],
-                                    option_[at(other.condition)], b, std::max(t, 0.0)),
+                                    conditions_.option[at(other.condition)], b, std::max(t, 0.0)),
                         ways_to_agree(*model_, vertex)});
     }
   }

@@ -54,7 +54,6 @@ private:
 
   const seepage::Model* model_;
   seepage::Conditions conditions_;
-  std::vector<std::string> option_;  // per condition
   Owners pore_owner_, crack_owner_;  // of prescribed pressures
   Owners pore_face_, crack_face_;    // of seepage faces
   std::map<mesh::Index, mesh::Index> edge_owner_;

@@ -132,6 +132,7 @@ public:
                ? FluidAccess{}
                : FluidAccess{&water_.model, &water_.in_place_at_start};
   }
+  [[nodiscard]] ConditionAccess conditions() override;
   [[nodiscard]] const seepage::Model* flow() const override { return &water_.model; }
 
 protected:
@@ -215,6 +216,19 @@ bool CoupledTask::has_settled() {
   }
   checked_pressure_ = now;
   return change <= run_.setup.time.stop_ratio.value_or(0.0) * most;
+}
+
+ConditionAccess CoupledTask::conditions() {
+  ConditionAccess access{&water_.model, {}};
+  for (const auto& [name, boundary] : run_.setup.boundary) {
+    if (boundary.pressurised) {
+      access.pressing.push_back("boundary." + name);
+    }
+  }
+  for (const auto& [name, number] : water_.drainage) {
+    access.pressing.push_back("excavation." + name);
+  }
+  return access;
 }
 
 void CoupledTask::warn_of_pore_steps() {

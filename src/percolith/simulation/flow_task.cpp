@@ -95,6 +95,7 @@ public:
   [[nodiscard]] double time() const override { return run_.model.state.time; }
   [[nodiscard]] std::int64_t steps() const override { return run_.summary.steps; }
   [[nodiscard]] FluidAccess fluid() override { return {&run_.model, &run_.in_place_at_start}; }
+  [[nodiscard]] ConditionAccess conditions() override { return {&run_.model, {}}; }
   [[nodiscard]] const seepage::Model* flow() const override { return &run_.model; }
   [[nodiscard]] Summary summary() const override { return finished_summary(run_); }
   [[nodiscard]] const std::vector<std::string>& region_names() const override {

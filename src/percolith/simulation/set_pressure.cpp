@@ -64,10 +64,7 @@ void without_account(const FluidAccess& fluid, const Write& write) {
   *fluid.in_place_at_start += seepage::fluid_in_place(*fluid.model, serial) - before;
 }
 
-}  // namespace
-
-void set_pore_pressure(const FluidAccess& fluid, std::span<const double> pressure) {
-  seepage::Model& model = model_of(fluid);
+void require_pores(const seepage::Model& model, std::span<const double> pressure) {
   const mesh::Mesh& mesh = model.mesh;
   require_count(pressure.size(), mesh.corners(), "corner slots");
   for (Index t = 0; t < mesh.triangles(); ++t) {
@@ -81,35 +78,75 @@ void set_pore_pressure(const FluidAccess& fluid, std::span<const double> pressur
       }
     }
   }
-  without_account(fluid, [&] {
-    for (const Index node : model.pore_nodes.nodes(mesh)) {
-      const auto i = at(node);
-      const seepage::FluidState<double> full{pressure[i], 1.0};
+}
+
+void require_cracks(const seepage::Model& model, std::span<const double> pressure) {
+  require_count(pressure.size(), model.mesh.vertices(), "vertices");
+  for (const Index v : model.cracks.open_nodes()) {
+    require_possible(model, pressure[at(v)], model.mesh.vertex[at(v)]);
+  }
+}
+
+/// Whether a node has the pressure that it had before.
+bool keeps(const PressureChange& change, std::size_t i) {
+  return !change.former.empty() && change.former[i] == change.pressure[i];
+}
+
+void fill_pores(seepage::Model& model, const PressureChange& change) {
+  for (const Index node : model.pore_nodes.nodes(model.mesh)) {
+    const auto i = at(node);
+    if (!keeps(change, i)) {
+      const seepage::FluidState<double> full{change.pressure[i], 1.0};
       seepage::set_pore_content(
           model, node,
           {seepage::excess_of(full, model.state.growth[i], model.state.storage[i],
                               model.state.void_volume[i], model.reference_pressure()),
            0.0});
     }
-  });
+  }
 }
 
-void set_crack_pressure(const FluidAccess& fluid, std::span<const double> pressure) {
-  seepage::Model& model = model_of(fluid);
-  require_count(pressure.size(), model.mesh.vertices(), "vertices");
+void fill_cracks(seepage::Model& model, const PressureChange& change) {
   for (const Index v : model.cracks.open_nodes()) {
-    require_possible(model, pressure[at(v)], model.mesh.vertex[at(v)]);
-  }
-  without_account(fluid, [&] {
-    for (const Index v : model.cracks.open_nodes()) {
-      const seepage::FluidState<double> full{pressure[at(v)], 1.0};
+    if (!keeps(change, at(v))) {
+      const seepage::FluidState<double> full{change.pressure[at(v)], 1.0};
       seepage::set_crack_content(
           model, v,
           {seepage::excess_of(full, 0.0, model.crack_storage(v), model.crack.void_volume[at(v)],
                               model.reference_pressure()),
            0.0});
     }
+  }
+}
+
+}  // namespace
+
+void set_pore_pressure(const FluidAccess& fluid, std::span<const double> pressure) {
+  seepage::Model& model = model_of(fluid);
+  require_pores(model, pressure);
+  without_account(fluid, [&] { fill_pores(model, {pressure, {}}); });
+}
+
+void set_crack_pressure(const FluidAccess& fluid, std::span<const double> pressure) {
+  seepage::Model& model = model_of(fluid);
+  require_cracks(model, pressure);
+  without_account(fluid, [&] { fill_cracks(model, {pressure, {}}); });
+}
+
+void change_pressures(const FluidAccess& fluid, const PressureChange& pores,
+                      const PressureChange& cracks) {
+  seepage::Model& model = model_of(fluid);
+  require_pores(model, pores.pressure);
+  require_cracks(model, cracks.pressure);
+  without_account(fluid, [&] {
+    fill_pores(model, pores);
+    fill_cracks(model, cracks);
   });
+}
+
+PressureMemory pressure_memory(const FluidAccess& fluid) {
+  seepage::State& state = model_of(fluid).state;
+  return {state.pressure, state.crack_pressure};
 }
 
 }  // namespace percolith::simulation

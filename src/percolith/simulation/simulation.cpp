@@ -2,6 +2,7 @@
 #include "percolith/simulation/simulation.hpp"
 
 #include "percolith/core/error.hpp"
+#include "percolith/simulation/set_condition.hpp"
 #include "percolith/simulation/set_pressure.hpp"
 #include "percolith/simulation/task.hpp"
 
@@ -103,6 +104,18 @@ void Simulation::set_pore_pressure(std::span<const double> pressure) {
 
 void Simulation::set_crack_pressure(std::span<const double> pressure) {
   simulation::set_crack_pressure(task_->fluid(), pressure);
+}
+
+void Simulation::change_pressures(const PressureChange& pores, const PressureChange& cracks) {
+  simulation::change_pressures(task_->fluid(), pores, cracks);
+}
+
+PressureMemory Simulation::pressure_memory() {
+  return simulation::pressure_memory(task_->fluid());
+}
+
+void Simulation::set_condition(const std::string& path, double value) {
+  simulation::set_condition(task_->conditions(), path, value);
 }
 
 Summary Simulation::summary() const {

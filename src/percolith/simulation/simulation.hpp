@@ -22,6 +22,16 @@ namespace percolith::simulation {
 
 class Task;
 
+/// Pressures (Pa) and those before, per corner slot or per vertex.
+struct PressureChange {
+  std::span<const double> pressure, former;
+};
+
+/// Pressures in place, Pa: of the pores per corner slot, of the cracks per vertex.
+struct PressureMemory {
+  std::span<double> pores, cracks;
+};
+
 /// A model that is ready to run: mesh, properties, conditions and state.
 class Simulation {
 public:
@@ -74,6 +84,17 @@ public:
   /// is not finite or below the cavitation pressure, and where the model takes none.
   void set_pore_pressure(std::span<const double> pressure);
   void set_crack_pressure(std::span<const double> pressure);
+  /// The same for those nodes of both that have another pressure than before, or for none.
+  void change_pressures(const PressureChange& pores, const PressureChange& cracks);
+  /// Where these pressures stand. What is written there is half a change: put back what stood
+  /// there and hand both to `change_pressures`. Throws as above where the model takes none.
+  [[nodiscard]] PressureMemory pressure_memory();
+
+  /// From now on the condition of the flow whose option is `path` (`source.well.rate`) has this
+  /// value (SI) at all times. Throws InputError (key `path`) for another path, a value that is not
+  /// finite or a pressure below the cavitation pressure, and where the condition presses on the
+  /// rock as well.
+  void set_condition(const std::string& path, double value);
 
   [[nodiscard]] Summary summary() const;
   /// Names that `MatrixFrame::region` and `CrackFrame::group` index.

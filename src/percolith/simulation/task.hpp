@@ -9,6 +9,8 @@
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace percolith::seepage {
 struct Model;
@@ -20,6 +22,12 @@ namespace percolith::simulation {
 struct FluidAccess {
   seepage::Model* model = nullptr;
   double* in_place_at_start = nullptr;  ///< m2
+};
+
+/// Conditions of the flow that can be changed while a run waits.
+struct ConditionAccess {
+  seepage::Model* model = nullptr;
+  std::vector<std::string> pressing;  ///< names of those that press on the rock as well
 };
 
 /// What every kind of physics does for a `Simulation`, which says what is expected of each.
@@ -42,6 +50,7 @@ public:
   [[nodiscard]] virtual std::int64_t steps() const = 0;
   /// What holds the fluid, null where there is none, and the fluid there was at time zero, m2.
   [[nodiscard]] virtual FluidAccess fluid() { return {}; }
+  [[nodiscard]] virtual ConditionAccess conditions() { return {}; }
   [[nodiscard]] virtual const seepage::Model* flow() const { return nullptr; }
   [[nodiscard]] virtual const mechanics::Model* motion() const { return nullptr; }
   [[nodiscard]] virtual Summary summary() const = 0;

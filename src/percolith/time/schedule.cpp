@@ -32,4 +32,10 @@ double Schedule::next_break(double t) const {
   return *after;
 }
 
+void describe_state(StateArchive& archive, Schedule& schedule) {
+  archive.of_any_size("time", schedule.time);
+  archive.of_any_size("value", schedule.value);
+  archive("interpolation", schedule.interpolation);
+}
+
 }  // namespace percolith

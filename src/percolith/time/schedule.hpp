@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/core/archive.hpp"
+
 #include <vector>
 
 namespace percolith {
@@ -24,5 +26,7 @@ struct Schedule {
   [[nodiscard]] bool is_constant() const { return value.size() == 1; }
   friend bool operator==(const Schedule&, const Schedule&) = default;
 };
+
+void describe_state(StateArchive& archive, Schedule& schedule);
 
 }  // namespace percolith

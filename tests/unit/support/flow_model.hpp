@@ -47,6 +47,7 @@ inline void break_curve(seepage::Model& model, const std::string& name, mesh::In
 inline mesh::Index add_condition(seepage::Model& model, const std::string& name,
                                  const Schedule& schedule) {
   model.conditions.name.push_back(name);
+  model.conditions.option.emplace_back("pressure");
   model.conditions.schedule.push_back(schedule);
   model.let_in.emplace_back();
   model.rate.push_back(0.0);

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/simulation/set_condition.hpp"
+
+#include "percolith/core/error.hpp"
+#include "percolith/seepage/model.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace percolith::simulation {
+namespace {
+
+using mesh::Index;
+
+[[noreturn]] void refuse(const std::string& path, const std::string& value, std::string reason,
+                         std::string allowed) {
+  throw InputError({{}, path, value, std::move(reason), std::move(allowed)});
+}
+
+/// Paths of the conditions that can be changed.
+std::vector<std::string> changeable(const ConditionAccess& access) {
+  std::vector<std::string> paths;
+  if (access.model != nullptr) {
+    const seepage::Conditions& given = access.model->conditions;
+    for (std::size_t i = 0; i < given.name.size(); ++i) {
+      if (std::ranges::find(access.pressing, given.name[i]) == access.pressing.end()) {
+        paths.push_back(given.name[i] + "." + given.option[i]);
+      }
+    }
+  }
+  return paths;
+}
+
+Index number_of(const ConditionAccess& access, const std::string& path) {
+  const std::vector<std::string> paths = changeable(access);
+  const auto allowed = [&] {
+    return paths.empty() ? std::string("this run has none that can be changed")
+                         : fmt::format("{}", fmt::join(paths, ", "));
+  };
+  const std::string name = path.substr(0, path.rfind('.'));
+  if (std::ranges::find(access.pressing, name) != access.pressing.end()) {
+    refuse(path, "",
+           "this condition presses on the rock as well, and cannot be changed while it "
+           "waits",
+           "a table of values over time in the case; " + allowed());
+  }
+  if (std::ranges::find(paths, path) == paths.end()) {
+    refuse(path, "", "no condition of the flow has this option", allowed());
+  }
+  const seepage::Conditions& given = access.model->conditions;
+  Index number = 0;
+  while (given.name[at(number)] + "." + given.option[at(number)] != path) {
+    ++number;
+  }
+  return number;
+}
+
+/// A pressure below that of cavitation cannot be held.
+void require_possible(const seepage::Model& model, Index number, const std::string& path,
+                      double value) {
+  if (!model.can_empty()) {
+    return;
+  }
+  const seepage::Conditions& given = model.conditions;
+  const auto check = [&](const std::vector<seepage::NodeCondition>& list) {
+    for (const seepage::NodeCondition& c : list) {
+      const double pressure = c.factor * value + c.offset;
+      if (c.schedule == number && pressure < model.reference_pressure()) {
+        refuse(path, fmt::format("{:g}", value),
+               fmt::format("prescribes {:.6g} Pa, below the cavitation pressure", pressure),
+               fmt::format("pressures of at least {:g} Pa", model.reference_pressure()));
+      }
+    }
+  };
+  for (const seepage::FieldConditions* field : {&given.pore, &given.crack}) {
+    check(field->pressure);
+    check(field->seepage_face);
+  }
+}
+
+}  // namespace
+
+void set_condition(const ConditionAccess& access, const std::string& path, double value) {
+  const Index number = number_of(access, path);
+  if (!std::isfinite(value)) {
+    refuse(path, fmt::format("{:g}", value), "not a finite number", "a number in SI units");
+  }
+  require_possible(*access.model, number, path, value);
+  access.model->conditions.schedule[at(number)] = Schedule::constant(value);
+}
+
+}  // namespace percolith::simulation
