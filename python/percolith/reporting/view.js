@@ -3,7 +3,7 @@
 const byId = (id) => document.getElementById(id);
 const about = JSON.parse(byId("view-about").textContent);
 const canvas = byId("view-canvas"), tip = byId("view-tip");
-// Smooth edges double the time of a drawing where there is no graphics card.
+// Smooth edges nearly double the time of a drawing where there is no graphics card.
 const gl = canvas.getContext("webgl2", { antialias: about.triangles < 50000,
                                          preserveDrawingBuffer: true });
 
