@@ -235,7 +235,8 @@ class RunDirectory(RunPictures):
     def frame(self, time: float | None = None) -> Frame:
         """The frame nearest to `time` (s); the last one when None."""
         if not self.times:
-            raise RunDirectoryError(f"{self.path}: no frames; the case sets output.fields = false")
+            raise RunDirectoryError(f"{self.path}: no frames; "
+                                    + self._failure_or("the case sets output.fields = false"))
         chosen = self.times[-1] if time is None else min(self.times, key=lambda t: abs(t - time))
         cracks = self._crack_files.get(chosen)
         matrix = read_vtu(self._matrix_files[chosen])
@@ -254,8 +255,16 @@ class RunDirectory(RunPictures):
     def _file(self, name: str) -> Path:
         path = self.path / name
         if not path.is_file():
-            raise RunDirectoryError(f"{path}: missing; did the run end? see run.log")
+            raise RunDirectoryError(f"{path}: missing; "
+                                    + self._failure_or("did the run end? see run.log"))
         return path
+
+    def _failure_or(self, other: str) -> str:
+        """That the run failed, and of what; or `other` where it did not."""
+        summary = self.path / "summary.json"
+        told = json.loads(summary.read_text(encoding="utf-8")) if summary.is_file() else {}
+        failed = told.get("outcome") == "failed"
+        return f"the run failed: {told.get('reason', '')}" if failed else other
 
     @cached_property
     def _matrix_files(self) -> dict[float, Path]:

@@ -75,6 +75,19 @@ def test_the_page_draws_and_fetches_nothing(browser, pages, name):
     assert len(np.unique(picture.reshape(-1, picture.shape[2]), axis=0)) > 50
 
 
+def test_cracks_of_flow_lie_where_they_are(browser, pages):
+    opened(browser, pages["flow"])
+    shown = pixels(browser)
+    choose(browser, "cracks", "")
+    width, height, zoom, centre = browser.evaluate(
+        "[gl.drawingBufferWidth, gl.drawingBufferHeight, state.zoom, "
+        "about.origin[1] + state.centre[1]]")
+    changed = (shown != pixels(browser)).any(axis=1).reshape(height, width)
+    y = centre + (np.flatnonzero(changed.any(axis=1)) + 0.5 - height / 2) / zoom
+    assert len(y) > 0
+    assert np.abs(y - 1).max() < 0.1
+
+
 def test_values_under_the_mouse(browser, pages):
     opened(browser, pages["flow"])
     assert tip_at(browser, 0.5 * SIZE, 0.8 * SIZE)[0] == "Pressure: 1 MPa"

@@ -112,3 +112,13 @@ def test_a_run_of_flow_has_no_events(run):
         _ = run.events
     with pytest.raises(RunDirectoryError, match="a run of flow has no fragments"):
         _ = run.fragments
+
+
+def test_a_failed_run_tells_why_it_left_nothing(tmp_path):
+    (tmp_path / "resolved.toml").write_text("format = 1\n")
+    (tmp_path / "summary.json").write_text('{"outcome": "failed", "reason": "the rock would drain"}')
+    run = RunDirectory(tmp_path)
+    with pytest.raises(RunDirectoryError, match="no frames; the run failed: the rock would drain"):
+        run.frame()
+    with pytest.raises(RunDirectoryError, match="history.csv: missing; the run failed: the rock"):
+        _ = run.history

@@ -83,10 +83,13 @@ class Shape {
     this.feed("value", this.values, new Float32Array(width * count), width);
   }
 
-  // Without an array the attribute is zero.
+  // Without an array the attribute is zero; left alone its last component would be one.
   feed(name, buffer, array, width) {
     const gl = this.gl, location = gl.getAttribLocation(this.program, name);
-    if (!array) return;
+    if (!array) {
+      gl.vertexAttrib4f(location, 0, 0, 0, 0);
+      return;
+    }
     gl.bindVertexArray(this.arrays);
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     gl.bufferData(gl.ARRAY_BUFFER, array, gl.STATIC_DRAW);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/case/toml_parser.hpp"
 
+#include <fmt/format.h>
 #include <toml++/toml.h>
+
+#include <regex>
+#include <string>
 
 // The only file that sees toml++, which is slow to compile.
 namespace percolith::case_file {
@@ -55,6 +59,25 @@ std::string reason_of(const toml::parse_error& error) {
   return "not valid TOML: " + text;
 }
 
+/// What helps where a letter follows a number: the commonest slip is a unit without quotes.
+std::string hint_of(std::string_view text, const toml::source_position& place) {
+  std::size_t start = 0;
+  for (toml::source_index line = 1; line < place.line && start != std::string_view::npos; ++line) {
+    const std::size_t end = text.find('\n', start);
+    start = end == std::string_view::npos ? end : end + 1;
+  }
+  if (start == std::string_view::npos) {
+    return {};
+  }
+  const std::string line(text.substr(start, text.find_first_of("\r\n", start) - start));
+  static const std::regex bare(
+      R"(=\s*([-+]?[0-9][0-9.eE+-]*\s*[A-Za-z%][A-Za-z0-9/^ ]*?)\s*(#.*)?$)");
+  std::smatch found;
+  return std::regex_search(line, found, bare)
+             ? fmt::format("a value with a unit in quotes: \"{}\"", found[1].str())
+             : std::string();
+}
+
 }  // namespace
 
 Node parse_toml(std::string_view text, const std::string& file) {
@@ -62,7 +85,11 @@ Node parse_toml(std::string_view text, const std::string& file) {
     const toml::table table = toml::parse(text, std::string_view(file));
     return convert(table, file);
   } catch (const toml::parse_error& error) {
-    throw InputError(InputProblem{location_of(error.source(), file), {}, {}, reason_of(error), {}});
+    throw InputError(InputProblem{location_of(error.source(), file),
+                                  {},
+                                  {},
+                                  reason_of(error),
+                                  hint_of(text, error.source().begin)});
   }
 }
 

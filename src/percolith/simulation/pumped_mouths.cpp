@@ -14,7 +14,7 @@ namespace {
 
 using mesh::Index;
 
-std::set<Index> vertices_of(const mesh::Mesh& mesh, const BoundaryCondition& boundary,
+std::set<Index> vertices_on(const mesh::Mesh& mesh, const BoundaryCondition& boundary,
                             const std::string& path) {
   std::set<Index> vertices;
   for (const Index e : boundary_edges(mesh, boundary.groups, path + ".groups")) {
@@ -46,7 +46,7 @@ std::vector<std::string> pumped_mouth_warnings(const Setup& setup, const mesh::M
       continue;
     }
     const std::string opening = "boundary." + boundary_name;
-    const std::set<Index> vertices = vertices_of(mesh, boundary, opening);
+    const std::set<Index> vertices = vertices_on(mesh, boundary, opening);
     for (const auto& [source_name, source] : setup.source) {
       for (const std::string& name : source.fractures) {
         const std::string path = "fracture." + name;

@@ -9,6 +9,8 @@
 namespace percolith::case_file {
 namespace {
 
+using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -219,6 +221,14 @@ TEST(ReadingErrors, TomlSyntax) {
   EXPECT_THAT(error_of("format = 1\n[mesh\n"),
               StartsWith("case.toml:2:6: error: not valid TOML: "));
   EXPECT_THAT(error_of("title = \"\xff\"\n"), StartsWith("case.toml:1:9: error: not valid TOML: "));
+}
+
+TEST(ReadingErrors, AUnitWithoutQuotesIsToldHowToBeWritten) {
+  EXPECT_THAT(error_of("format = 1\n[boundary.a]\nhead = 6 m  # of the canal\n"),
+              AllOf(StartsWith("case.toml:3:"),
+                    EndsWith("; allowed: a value with a unit in quotes: \"6 m\"")));
+  EXPECT_THAT(error_of("head = -1.5e-3 MPa\n"), EndsWith("in quotes: \"-1.5e-3 MPa\""));
+  EXPECT_THAT(error_of("head = [1 2]\n"), Not(HasSubstr("in quotes")));
 }
 
 TEST(ReadingErrors, AllAreReportedInTheOrderOfTheFile) {

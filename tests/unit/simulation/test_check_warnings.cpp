@@ -236,7 +236,7 @@ TEST(LeakOff, CountsTheStorageOfRockThatDeforms) {
 
 }  // namespace
 /// A fracture that a pump feeds and that reaches a wall with a pressure of its own.
-Setup notched() {
+Setup pumped_notch() {
   simulation::Setup setup = leaking(1.0);
   setup.fracture["level"].groups = {"upright"};
   setup.boundary["hole"].groups = {"top"};
@@ -245,7 +245,7 @@ Setup notched() {
 }
 
 TEST(PumpedMouth, IsWarnedOfWhereTheOpeningKeepsAPressureOfItsOwn) {
-  EXPECT_THAT(warnings_of(notched(), test::plain_mesh()),
+  EXPECT_THAT(warnings_of(pumped_notch(), test::plain_mesh()),
               Contains(AllOf(StartsWith("fracture.level, which source.pump pumps into, ends on "
                                         "boundary.hole at (0.5, 1), but the fluid there keeps to "
                                         "boundary.hole.normal_pressure"),
@@ -253,12 +253,12 @@ TEST(PumpedMouth, IsWarnedOfWhereTheOpeningKeepsAPressureOfItsOwn) {
 }
 
 TEST(PumpedMouth, IsNotWarnedOfElsewhere) {
-  simulation::Setup setup = notched();
+  simulation::Setup setup = pumped_notch();
   setup.source["pump"].fractures.clear();
   setup.source["pump"].point = {{0.5, 0.75}};
   setup.source["pump"].into = Domain::crack;
   EXPECT_THAT(warnings_of(setup, test::plain_mesh()), Each(Not(HasSubstr("pumps into"))));
-  setup = notched();
+  setup = pumped_notch();
   setup.boundary["hole"].normal_pressure.reset();
   EXPECT_THAT(warnings_of(setup, test::plain_mesh()), Each(Not(HasSubstr("pumps into"))));
 }
