@@ -76,8 +76,7 @@ std::string place_of_last_break(const mechanics::Model& rock, const mechanics::C
   if (changes.broke.empty()) {
     return {};
   }
-  const auto& ends = rock.mesh.joint[at(changes.broke.back().joint)].vertex;
-  const Point middle = 0.5 * (rock.mesh.vertex[at(ends[0])] + rock.mesh.vertex[at(ends[1])]);
+  const Point middle = rock.mesh.middle_of(rock.mesh.joint[at(changes.broke.back().joint)].vertex);
   return fmt::format(" Of the {} joints that broke the last lies at ({:.3g}, {:.3g}).",
                      changes.broke.size(), middle.x, middle.y);
 }

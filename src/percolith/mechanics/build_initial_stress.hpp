@@ -13,8 +13,7 @@ void set_initial_stress(Model& model, const Stress& stress_at) {
   const mesh::Mesh& mesh = model.mesh;
   make_room_for_stress(model);
   for (Index t = 0; t < mesh.triangles(); ++t) {
-    const auto p = mesh.triangle_points(t);
-    const Tensor s = stress_at((1.0 / 3.0) * (p[0] + p[1] + p[2]));
+    const Tensor s = stress_at(mesh.triangle_centre(t));
     model.triangles.initial_xx[at(t)] = s.xx;
     model.triangles.initial_yy[at(t)] = s.yy;
     model.triangles.initial_xy[at(t)] = s.xy;

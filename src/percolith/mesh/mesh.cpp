@@ -14,6 +14,16 @@ std::array<Point, 3> Mesh::triangle_points(Index triangle) const {
   return points;
 }
 
+Point Mesh::triangle_centre(Index triangle) const {
+  const auto p = triangle_points(triangle);
+  return (1.0 / 3.0) * (p[0] + p[1] + p[2]);
+}
+
+Point Mesh::middle_of(const std::array<Index, 2>& ends) const {
+  return 0.5 *
+         (vertex[static_cast<std::size_t>(ends[0])] + vertex[static_cast<std::size_t>(ends[1])]);
+}
+
 double Mesh::area(Index triangle) const {
   const auto p = triangle_points(triangle);
   return 0.5 * cross(p[1] - p[0], p[2] - p[0]);

@@ -70,6 +70,10 @@ struct Mesh {
     return vertex[static_cast<std::size_t>(vertex_of(corner))];
   }
   [[nodiscard]] std::array<Point, 3> triangle_points(Index triangle) const;
+  /// Centre of a triangle's area, m.
+  [[nodiscard]] Point triangle_centre(Index triangle) const;
+  /// Point half-way between two vertices, those of a joint or of a boundary edge, m.
+  [[nodiscard]] Point middle_of(const std::array<Index, 2>& ends) const;
   /// Area of a triangle, m2 (positive).
   [[nodiscard]] double area(Index triangle) const;
   /// Length of a joint, m.

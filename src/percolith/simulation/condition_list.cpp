@@ -175,8 +175,7 @@ void ConditionList::claim_edge(Index edge, const std::string& key) {
   const auto number = static_cast<Index>(conditions_.name.size()) - 1;
   const auto [found, is_new] = edge_owner_.emplace(edge, number);
   if (!is_new) {
-    const auto& ends = model_->mesh.boundary[at(edge)].vertex;
-    const Point p = 0.5 * (model_->mesh.vertex[at(ends[0])] + model_->mesh.vertex[at(ends[1])]);
+    const Point p = model_->mesh.middle_of(model_->mesh.boundary[at(edge)].vertex);
     throw InputError({{},
                       key,
                       "",

@@ -22,11 +22,6 @@ std::vector<std::string> names_of(const Map& map) {
   return names;
 }
 
-Point middle_of(const mesh::Mesh& mesh, const std::array<Index, 2>& ends) {
-  return 0.5 * (mesh.vertex[static_cast<std::size_t>(ends[0])] +
-                mesh.vertex[static_cast<std::size_t>(ends[1])]);
-}
-
 void sort_unique(std::vector<Index>& list) {
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -84,7 +79,7 @@ std::vector<Index> fracture_joints(const mesh::Mesh& mesh, const std::vector<std
     }
     if (!curve.boundary.empty()) {
       const Point p =
-          middle_of(mesh, mesh.boundary[static_cast<std::size_t>(curve.boundary[0])].vertex);
+          mesh.middle_of(mesh.boundary[static_cast<std::size_t>(curve.boundary[0])].vertex);
       refuse(at, groups[i],
              fmt::format("its edge at ({:g}, {:g}) lies on the boundary of the rock, and a "
                          "fracture needs rock on both sides",
@@ -107,7 +102,7 @@ std::vector<Index> boundary_edges(const mesh::Mesh& mesh, const std::vector<std:
       std::string where;
       if (!curve.joints.empty()) {
         const Point p =
-            middle_of(mesh, mesh.joint[static_cast<std::size_t>(curve.joints[0])].vertex);
+            mesh.middle_of(mesh.joint[static_cast<std::size_t>(curve.joints[0])].vertex);
         where = fmt::format(" at ({:g}, {:g})", p.x, p.y);
       }
       refuse(at, groups[i],

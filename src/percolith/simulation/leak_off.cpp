@@ -53,13 +53,12 @@ public:
     const double storage = storage_[at(region)];
     const double depth = std::sqrt(k * end_ / (mu * storage));
     const double size = mechanics::element_size(model_.mesh, t);
-    const auto p = model_.mesh.triangle_points(t);
     return {depth / size,
             depth,
             size,
             exchange * mu * depth / k,
             exchange * end_ / (storage * share_of_wall * size),
-            (1.0 / 3.0) * (p[0] + p[1] + p[2])};
+            model_.mesh.triangle_centre(t)};
   }
 
 private:

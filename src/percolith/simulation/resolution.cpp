@@ -69,8 +69,7 @@ double resolved_distance(const mechanics::Model& model, std::span<const CrackSta
     if (!length || *length >= resolved * model.joints.size[at(j)]) {
       continue;
     }
-    const auto& ends = model.mesh.joint[at(j)].vertex;
-    const Point middle = 0.5 * (model.mesh.vertex[at(ends[0])] + model.mesh.vertex[at(ends[1])]);
+    const Point middle = model.mesh.middle_of(model.mesh.joint[at(j)].vertex);
     for (const CrackStart& start : starts) {
       const Point way = middle - model.mesh.vertex[at(start.vertex)];
       nearest = std::min(nearest, dot(way, way));

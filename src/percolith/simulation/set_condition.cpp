@@ -20,42 +20,44 @@ using mesh::Index;
   throw InputError({{}, path, value, std::move(reason), std::move(allowed)});
 }
 
-/// Paths of the conditions that can be changed.
-std::vector<std::string> changeable(const ConditionAccess& access) {
+bool presses(const ConditionAccess& access, const std::string& name) {
+  return std::ranges::find(access.pressing, name) != access.pressing.end();
+}
+
+/// Paths of all conditions, by number.
+std::vector<std::string> paths_of(const ConditionAccess& access) {
   std::vector<std::string> paths;
   if (access.model != nullptr) {
     const seepage::Conditions& given = access.model->conditions;
     for (std::size_t i = 0; i < given.name.size(); ++i) {
-      if (std::ranges::find(access.pressing, given.name[i]) == access.pressing.end()) {
-        paths.push_back(given.name[i] + "." + given.option[i]);
-      }
+      paths.push_back(given.name[i] + "." + given.option[i]);
     }
   }
   return paths;
 }
 
+std::string name_in(const std::string& path) {
+  return path.substr(0, path.rfind('.'));
+}
+
 Index number_of(const ConditionAccess& access, const std::string& path) {
-  const std::vector<std::string> paths = changeable(access);
-  const auto allowed = [&] {
-    return paths.empty() ? std::string("this run has none that can be changed")
-                         : fmt::format("{}", fmt::join(paths, ", "));
-  };
-  const std::string name = path.substr(0, path.rfind('.'));
-  if (std::ranges::find(access.pressing, name) != access.pressing.end()) {
+  std::vector<std::string> paths = paths_of(access);
+  const auto found = std::ranges::find(paths, path);
+  const auto number = static_cast<Index>(found - paths.begin());
+  const bool is_pressing = presses(access, name_in(path));
+  if (found != paths.end() && !is_pressing) {
+    return number;
+  }
+  std::erase_if(paths, [&](const std::string& p) { return presses(access, name_in(p)); });
+  const std::string allowed = paths.empty() ? "this run has none that can be changed"
+                                            : fmt::format("{}", fmt::join(paths, ", "));
+  if (is_pressing) {
     refuse(path, "",
            "this condition presses on the rock as well, and cannot be changed while it "
            "waits",
-           "a table of values over time in the case; " + allowed());
+           "a table of values over time in the case; " + allowed);
   }
-  if (std::ranges::find(paths, path) == paths.end()) {
-    refuse(path, "", "no condition of the flow has this option", allowed());
-  }
-  const seepage::Conditions& given = access.model->conditions;
-  Index number = 0;
-  while (given.name[at(number)] + "." + given.option[at(number)] != path) {
-    ++number;
-  }
-  return number;
+  refuse(path, "", "no condition of the flow has this option", allowed);
 }
 
 /// A pressure below that of cavitation cannot be held.

@@ -47,7 +47,7 @@ void refuse_overlap(const mechanics::Dynamics& dynamics) {
     return;
   }
   const mesh::Mesh& mesh = dynamics.model().mesh;
-  const Point centre = centre_of(mesh, pairs.front()[0]);
+  const Point centre = mesh.triangle_centre(pairs.front()[0]);
   const auto region = [&](Index t) { return mesh.region_names[at(mesh.region[at(t)])]; };
   throw InputError(
       {{},
@@ -78,11 +78,6 @@ void set_friction_of_fractures(const mechanics::Model& model, std::size_t materi
 }
 
 }  // namespace
-
-Point centre_of(const mesh::Mesh& mesh, Index t) {
-  const auto p = mesh.triangle_points(t);
-  return (1.0 / 3.0) * (p[0] + p[1] + p[2]);
-}
 
 mechanics::ContactProperties contact_properties(const Setup& setup, const mechanics::Model& model) {
   mechanics::ContactProperties result;

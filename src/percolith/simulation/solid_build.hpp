@@ -23,9 +23,6 @@ struct BodyRegions {
 /// those of the fractures, in the order of their tables.
 [[nodiscard]] mechanics::Ingredients solid_ingredients(const Setup& setup, const mesh::Mesh& mesh);
 
-/// Centre of a triangle's area, m.
-[[nodiscard]] Point centre_of(const mesh::Mesh& mesh, mesh::Index t);
-
 /// In-situ stress in the plane at a place, Pa.
 [[nodiscard]] Tensor in_situ_stress(const InSitu& in_situ, const Point& place);
 /// In-situ stress across the plane at a place, Pa.

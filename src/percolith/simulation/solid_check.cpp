@@ -143,7 +143,7 @@ double solid_step(const SolidRun& run) {
   const mechanics::MotionLimit& all = run.limits.back();
   const double stable = run.setup.time.safety * all.step;
   if (run.setup.time.step && *run.setup.time.step > all.step) {
-    const Point p = centre_of(run.dynamics.model().mesh, all.triangle);
+    const Point p = run.dynamics.model().mesh.triangle_centre(all.triangle);
     throw InputError(
         {{},
          "time.step",
@@ -173,7 +173,8 @@ CheckReport solid_check(const SolidRun& run) {
     ++number;
   }
   for (const mechanics::MotionLimit& limit : run.limits) {
-    report.limits.push_back({limit.mechanism, limit.step, centre_of(model.mesh, limit.triangle)});
+    report.limits.push_back(
+        {limit.mechanism, limit.step, model.mesh.triangle_centre(limit.triangle)});
   }
   report.mechanics = {
       {"bodies (parts that hang together)",

@@ -56,8 +56,8 @@ struct TriangleFields {
     xx.push_back(stress.plane.xx);
     yy.push_back(stress.plane.yy);
     xy.push_back(stress.plane.xy);
-    zz.push_back(stress.across +
-                 in_situ_across(run.setup.in_situ.value_or(InSitu{}), centre_of(model.mesh, t)));
+    zz.push_back(stress.across + in_situ_across(run.setup.in_situ.value_or(InSitu{}),
+                                                model.mesh.triangle_centre(t)));
     first.push_back(p.first);
     second.push_back(p.second);
     direction.push_back(p.direction);

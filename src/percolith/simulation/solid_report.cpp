@@ -207,11 +207,10 @@ std::vector<BreakEvent> note_events(SolidRun& run, const mechanics::Changes& cha
   std::vector<BreakEvent> events;
   const mechanics::Model& model = run.dynamics.model();
   for (const mechanics::Breakage& b : changes.broke) {
-    const auto& ends = model.mesh.joint[at(b.joint)].vertex;
     BreakEvent event;
     event.time = b.time;
     event.step = step;
-    event.place = 0.5 * (model.mesh.vertex[at(ends[0])] + model.mesh.vertex[at(ends[1])]);
+    event.place = model.mesh.middle_of(model.mesh.joint[at(b.joint)].vertex);
     event.mode = static_cast<BreakMode>(b.mode);
     event.length = b.length;
     event.released_energy = b.released;

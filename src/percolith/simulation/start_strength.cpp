@@ -100,8 +100,7 @@ std::vector<std::string> start_strength_warnings(const mechanics::Model& model,
     if (of.failing == 0) {
       continue;
     }
-    const auto& ends = model.mesh.joint[at(of.place)].vertex;
-    const Point p = 0.5 * (model.mesh.vertex[at(ends[0])] + model.mesh.vertex[at(ends[1])]);
+    const Point p = model.mesh.middle_of(model.mesh.joint[at(of.place)].vertex);
     warnings.push_back(fmt::format(
         "the stress at the start is more than the joints of {0} bear: {1} of {2} fail at once. At "
         "({3:g}, {4:g}) {5} (effective, tension positive). Look at the signs and units of "
