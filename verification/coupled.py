@@ -46,6 +46,14 @@ def _panels(number: int, frame: Frame, window):
     return figure, list(axes.flat)
 
 
+def balances(chapter: Chapter, name: str, run: RunDirectory) -> None:
+    """Errors of both balances."""
+    chapter.at_most(f"{name}.balance", f"{name}: error of the mass balance",
+                    run.summary["mass_balance"]["relative_error"], 1e-12)
+    chapter.at_most(f"{name}.energy", f"{name}: error of the energy balance",
+                    run.summary["mechanics"]["energy_error"], 1e-3)
+
+
 def break_modes(chapter: Chapter, run: RunDirectory) -> None:
     """How joints broke: a fluid opens rock, so shear helps at most."""
     modes = np.array(run.events["mode"])

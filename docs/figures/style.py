@@ -14,7 +14,7 @@ import numpy as np  # noqa: E402
 
 # Okabe and Ito.
 ROCK, FLUID, CRACK, NODE = "#E8DCC8", "#0072B2", "#D55E00", "#000000"
-EDGE, NOTE, GREEN, AMBER, SKY = "#8A7A5C", "#444444", "#009E73", "#E69F00", "#56B4E9"
+EDGE, NOTE, GREEN, AMBER = "#8A7A5C", "#444444", "#009E73", "#E69F00"
 
 SETTINGS = {"svg.hashsalt": "percolith", "svg.fonttype": "path", "font.size": 10,
             "font.family": "DejaVu Sans", "axes.spines.top": False, "axes.spines.right": False,

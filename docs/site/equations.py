@@ -6,10 +6,9 @@ from __future__ import annotations
 
 import re
 
-from markdown_text import outside, read_lines
+from markdown_text import CELLS, outside, read_lines
 
 THEORY, PAPER = "docs/theory.md", "docs/equations.md"
-CELLS = re.compile(r"(?<!\\)\|")
 OF_PAPER = re.compile(r"\((\d+)\)")
 OWN = re.compile(r"\b([PMC]\d+)\b")
 RANGE = re.compile(r"\((\d+)\)–\((\d+)\)")

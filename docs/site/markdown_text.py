@@ -8,6 +8,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
+CELLS = re.compile(r"(?<!\\)\|")  # between the cells of a row of a table
 FENCE = re.compile(r"^(\s*)(```+)\s*(\w*)")
 HEADING = re.compile(r"^(#{1,6}) +(.*?)\s*$")
 INLINE = re.compile(r"(?P<image>!?)\[(?P<text>(?:`[^`]*`|[^\[\]`])*)\]\((?P<target>[^()\s]+)\)"

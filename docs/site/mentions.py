@@ -15,7 +15,7 @@ from pathlib import PurePosixPath
 
 import links
 import site_map
-from markdown_text import Inline, read_lines, rewrite
+from markdown_text import CELLS, Inline, read_lines, rewrite
 from symbols import Symbols
 
 COLUMNS = {"code", "where", "covered by"}
@@ -23,7 +23,6 @@ STRICT = {"docs/theory.md", "docs/equations.md"}
 LINKED = STRICT | {"ARCHITECTURE.md"}
 CODE = (".cpp", ".hpp", ".cu", ".py")
 NAME = re.compile(r"[A-Za-z]\w*(?:(?:::|\.)\w+)?")
-CELLS = re.compile(r"(?<!\\)\|")
 # What may stand between a link to a source and the names in it.
 BETWEEN = re.compile(r"(?:,| and| with)? ")
 FOREIGN = ("std::", "percolith::")

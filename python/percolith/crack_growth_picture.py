@@ -7,10 +7,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from percolith.history_picture import draw_curves
+from percolith.panels import panels_of
 from percolith.run_directory import RunDirectory, Table
 from percolith.saving import save
 from percolith.units import Scale, length_scale, power_scale, pressure_scale, time_scale
@@ -61,19 +61,13 @@ def crack_growth_figure(run: RunDirectory):
     if not panels:
         return None
     time = time_scale(history["time_s"])
-    columns = min(len(panels), 2)
-    rows = -(-len(panels) // columns)
-    figure, grid = plt.subplots(rows, columns, figsize=(5.5 * columns, 3.3 * rows + 0.4),
-                                layout="constrained", squeeze=False)
-    for axes, (curves, scale, quantity) in zip(grid.flat, panels):
+    figure, all_axes = panels_of(run, len(panels), 3.3)
+    for axes, (curves, scale, quantity) in zip(all_axes, panels):
         draw_curves(axes, history, time, curves, scale, quantity)
         if not (_finite(history, curves) < 0.0).any():
             axes.set_ylim(bottom=0.0)
         axes.set_xlabel(time.label("Time"))
         axes.grid(alpha=0.3)
-    for axes in grid.flat[len(panels):]:
-        axes.set_visible(False)
-    figure.suptitle(run.title, fontsize=11)
     return figure
 
 

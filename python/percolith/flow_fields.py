@@ -6,7 +6,6 @@ from __future__ import annotations
 import numpy as np
 
 from percolith.colour_range import ColourRange, beyond_which, widened
-from percolith.crack_fields import carries_fluid
 from percolith.run_directory import Frame, RunDirectoryError
 from percolith.units import Scale, power_scale, pressure_scale
 from percolith.vtu import Grid
@@ -45,15 +44,6 @@ def flux_size(frame: Frame) -> np.ndarray:
 
 def rock_values(frame: Frame, field: str) -> np.ndarray:
     return flux_size(frame) if field == "flux" else point_values(frame.matrix, field)
-
-
-def crack_values(frame: Frame, field: str) -> np.ndarray:
-    """Values (SI) at the ends of the segments that fluid can be in; none of the flux, which is of
-    another kind there."""
-    if field == "flux" or frame.cracks is None:
-        return np.empty(0)
-    cracks = frame.cracks
-    return point_values(cracks, field)[cracks.cells[carries_fluid(cracks)]].ravel()
 
 
 def _scale(field: str, low: float, high: float) -> Scale:

@@ -3,13 +3,10 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import matplotlib.pyplot as plt
 import numpy as np
 
 from percolith.run_directory import RunDirectory, Table
-from percolith.saving import save
 from percolith.units import Scale, power_scale, pressure_scale, time_scale
 
 _LEGEND_WIDTH = 100  # letters of small type across a panel; a handle takes 13
@@ -78,8 +75,3 @@ def history_figure(run: RunDirectory):
         axes.set_xlabel(time.label("Time"))
     figure.suptitle(run.title, fontsize=11)
     return figure
-
-
-def draw_history(run: RunDirectory, path: Path) -> Path:
-    """Writes the figure to `path` and returns it."""
-    return save(history_figure(run), path)

@@ -4,15 +4,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from percolith.colours import BLUE, RED
 from percolith.history_columns import HELD, INPUT, fitting_scale, reactions
+from percolith.panels import panels_of
 from percolith.run_directory import RunDirectory, Table
-from percolith.saving import save
 
 _SMALL = 1e-3  # share of the largest work of a reaction below which a boundary counts as not loaded
 # Share of the largest energy of a run below which the work of all reactions is noise. Where fluid
@@ -92,19 +90,7 @@ def loading_figure(run: RunDirectory):
     curves = load_curves(run.history)
     if not curves:
         return None
-    columns = min(len(curves), 2)
-    rows = -(-len(curves) // columns)
-    figure, grid = plt.subplots(rows, columns, figsize=(5.5 * columns, 4.0 * rows + 0.4),
-                                layout="constrained", squeeze=False)
-    for axes, curve in zip(grid.flat, curves):
+    figure, panels = panels_of(run, len(curves), 4.0)
+    for axes, curve in zip(panels, curves):
         _draw_load_curve(axes, curve)
-    for axes in grid.flat[len(curves):]:
-        axes.set_visible(False)
-    figure.suptitle(run.title, fontsize=11)
     return figure
-
-
-def draw_loading(run: RunDirectory, path: Path) -> Path | None:
-    """Writes the figure to `path` and returns it. None, and no file, where nothing is loaded."""
-    figure = loading_figure(run)
-    return save(figure, path) if figure else None

@@ -93,10 +93,13 @@ def fragment_count(frame: Frame) -> int:
     return len(np.unique(values_of(frame, "fragments")))
 
 
-def rock_and_bodies(run: RunDirectory, frame: Frame) -> tuple[Frame, Grid]:
-    """The rock and the rigid bodies; rock alone where nothing else would be left to show."""
+def rock_and_bodies(run: RunDirectory, frame: Frame) -> tuple[Frame, Grid | None]:
+    """The rock and the rigid bodies, None where there are none or nothing else would be left to
+    show: then the frame stays as it is, and nothing of it is unpacked."""
     rigid = rigid_triangles(run, frame.matrix)
-    return split_off_rigid_bodies(frame, rigid & ~rigid.all())
+    if rigid.all() or not rigid.any():
+        return frame, None
+    return split_off_rigid_bodies(frame, rigid)
 
 
 def range_of_values(field: str, values: np.ndarray, array: str = "") -> ColourRange:

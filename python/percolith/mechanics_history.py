@@ -11,13 +11,9 @@ import numpy as np
 from percolith.colours import BLACK, BLUE, RED
 from percolith.history_columns import HELD, fitting_scale, present, reactions
 from percolith.history_picture import draw_curves
-from percolith.loading_picture import LoadCurve, draw_loading, load_curves
 from percolith.run_directory import RunDirectory, Table
 from percolith.saving import save
 from percolith.units import Scale, time_scale
-
-__all__ = ["LoadCurve", "draw_loading", "draw_mechanics_history", "load_curves",
-           "mechanics_history_figure"]
 
 _EXCHANGED = {"external_work_J_per_m": "external work", "fluid_work_J_per_m": "fluid",
               "gravity_J_per_m": "gravity",

@@ -37,12 +37,13 @@ def fields_of(run: RunDirectory) -> tuple[str, ...]:
 def check_field(run: RunDirectory, field: str | None) -> str | None:
     """The field by its name in pictures: without the unit, if it was given as an array is called.
     Raises RunDirectoryError where pictures of this run cannot show it."""
-    if field is None or field in fields_of(run):
-        return field
-    if without_unit(field) in fields_of(run):
-        return without_unit(field)
-    raise RunDirectoryError(f"{run.path}: no {field} in this run; there are: "
-                            f"{', '.join(fields_of(run))}")
+    if field is None:
+        return None
+    known = fields_of(run)
+    for name in (field, without_unit(field)):
+        if name in known:
+            return name
+    raise RunDirectoryError(f"{run.path}: no {field} in this run; there are: {', '.join(known)}")
 
 
 def check_scale(run: RunDirectory, scale: float | None) -> None:

@@ -12,6 +12,7 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from percolith.colours import BLACK
+from percolith.panels import panels_of
 from percolith.reference_curves import ReferenceCurve
 from percolith.run_directory import RunDirectory, RunDirectoryError, Table
 from percolith.saving import save
@@ -118,11 +119,8 @@ def probes_figure(run: RunDirectory, field: str = "pressure",
         raise RunDirectoryError(f"{run.path}: this run has no probes; the case asks for them by "
                                 "[probe.NAME]")
     panels = _panels(run, field, references)
-    columns = 1 if len(panels) == 1 else 2
-    rows = -(-len(panels) // columns)
-    size = (7 if columns == 1 else 11, 3.6 * rows + 0.4)
-    figure, grid = plt.subplots(rows, columns, figsize=size, layout="constrained", squeeze=False)
-    for axes, (name, table, column) in zip(grid.flat, panels):
+    figure, all_axes = panels_of(run, len(panels), 3.6, alone=7.0)
+    for axes, (name, table, column) in zip(all_axes, panels):
         over = [curve for curve in references if (curve.probe, curve.column) == (name, column)]
         if len(table.at_time()) > 1:
             _draw_line(axes, table, column, run.is_steady, over)
@@ -130,9 +128,6 @@ def probes_figure(run: RunDirectory, field: str = "pressure",
             _draw_point(axes, table, column, over)
         axes.set_title(f"Probe {name}", fontsize=10)
         axes.grid(alpha=0.3)
-    for axes in grid.flat[len(panels):]:
-        axes.set_visible(False)
-    figure.suptitle(run.title, fontsize=11)
     return figure
 
 

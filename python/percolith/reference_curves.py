@@ -52,7 +52,7 @@ def _quantities(file: LocatedTable, tables: dict[str, Table]) -> list[str]:
         if name not in known:
             file.refuse(file.first, f'unknown column "{name}"',
                         f"{', '.join(_NO_QUANTITY)} and {', '.join(known)}", name)
-    for name in {name for name in file.names if file.names.count(name) > 1}:
+    for name in dict.fromkeys(name for name in file.names if file.names.count(name) > 1):
         file.refuse(file.first, f'two columns "{name}"', key=name)
     if not quantities:
         file.refuse(file.first, "no column with a quantity of a probe", ", ".join(known))

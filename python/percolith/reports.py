@@ -6,29 +6,13 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-import tempfile
 from pathlib import Path
 
 from percolith.pictures import check_scale
 from percolith.reporting.page import page_of
 from percolith.run_directory import RunDirectory, RunDirectoryError
+from percolith.saving import replacing
 from percolith.vtu import VtuError
-
-
-def _write(path: Path, text: str) -> None:
-    """Writes a file so that it is whole or, as before, not there."""
-    handle, part = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-    try:
-        with open(handle, "w", encoding="utf-8") as file:
-            file.write(text)
-        # As any file that is made: what the user's mask allows.
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(part, 0o666 & ~mask)
-        os.replace(part, path)
-    except BaseException:
-        os.unlink(part)
-        raise
 
 
 def report(directory: str | os.PathLike, output: str | os.PathLike | None = None,
@@ -43,7 +27,8 @@ def report(directory: str | os.PathLike, output: str | os.PathLike | None = None
     run = RunDirectory(directory)
     check_scale(run, scale)
     path = run.path / "report.html" if output is None else Path(output)
-    _write(path, page_of(run, time, scale))
+    with replacing(path) as part:
+        part.write_text(page_of(run, time, scale), encoding="utf-8")
     return path
 
 

@@ -261,8 +261,7 @@ class RunDirectory(RunPictures):
 
     def _failure_or(self, other: str) -> str:
         """That the run failed, and of what; or `other` where it did not."""
-        summary = self.path / "summary.json"
-        told = json.loads(summary.read_text(encoding="utf-8")) if summary.is_file() else {}
+        told = self.summary if self.has_summary else {}
         failed = told.get("outcome") == "failed"
         return f"the run failed: {told.get('reason', '')}" if failed else other
 

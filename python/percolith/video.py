@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import contextlib
 import importlib
-import os
 from collections.abc import Iterable
 from fractions import Fraction
 from pathlib import Path
@@ -14,6 +12,7 @@ import numpy as np
 from PIL import Image
 
 from percolith.run_directory import RunDirectoryError
+from percolith.saving import replacing
 
 _CODECS = ("libx264", "libopenh264", "mpeg4")  # the best that there is
 _RATE = 25  # pictures a second; players stumble over a few
@@ -44,16 +43,11 @@ def write_video(path: Path, pictures: Iterable[Image.Image], each: int, last: in
     """Writes pictures of one size to `path`; each stays `each` ms, the last one `last` ms. A file
     that was there stays until the new one is whole."""
     av = require_encoder()
-    part = path.with_name(f".{path.name}.part")
     try:
-        with av.open(str(part), "w", format="mp4") as file:
+        with replacing(path) as part, av.open(str(part), "w", format="mp4") as file:
             _encode(av, file, pictures, each, last)
-        os.replace(part, path)
     except av.FFmpegError as error:
         raise OSError(f"{path}: {error.strerror or error}") from error
-    finally:
-        with contextlib.suppress(OSError):
-            part.unlink()
 
 
 def _encode(av, file, pictures: Iterable[Image.Image], each: int, last: int) -> None:

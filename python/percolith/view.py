@@ -13,7 +13,7 @@ from percolith.colour_range import ColourRange
 from percolith.crack_fields import CRACK_FIELDS, range_of_cracks, shown_values
 from percolith.deformation import can_deform, deformed_points
 from percolith.exaggeration import automatic_scale
-from percolith.flow_fields import FIELDS, crack_values, rock_and_crack_ranges, rock_values
+from percolith.flow_fields import FIELDS, rock_and_crack_ranges, rock_values
 from percolith.mechanics_fields import (
     is_category,
     other_fields,
@@ -105,12 +105,16 @@ class _Seen:
         self.modes |= _modes(frame)
         of_flow = self.field in FIELDS
         self.rock.append((rock_values if of_flow else values_of)(frame, self.field))
-        same = of_flow and self.crack_colours == self.field
-        self.cracks.append((crack_values if same else shown_values)(frame, self.crack_colours))
+        self.cracks.append(shown_values(frame, self.crack_colours))
         if self.overlays.has_crosses(self.field, self.crack_colours):
             self.crosses.append(cross_size(frame, self.field))
         if self.overlays.has_arrows(self.field):
             self.arrows.append(arrow_size(frame))
+
+    @property
+    def shares_colours(self) -> bool:
+        """Whether cracks show what the rock does; the flux along them is of another kind."""
+        return self.field in FIELDS and self.field == self.crack_colours != "flux"
 
     @property
     def extent(self) -> np.ndarray:
@@ -123,7 +127,7 @@ def _ranges(seen: _Seen) -> tuple[ColourRange | None, ColourRange | None]:
     """The ends of the colours of the rock, and of the cracks where these have their own."""
     rock, cracks = np.concatenate(seen.rock), np.concatenate(seen.cracks)
     of_flow, colours = seen.field in FIELDS, seen.crack_colours
-    if of_flow and colours == seen.field:
+    if seen.shares_colours:
         return rock_and_crack_ranges(seen.field, rock, cracks, seen.deforms)
     second = range_of_cracks(colours, cracks) if colours in CRACK_FIELDS else None
     if of_flow:

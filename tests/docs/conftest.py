@@ -17,11 +17,3 @@ def program() -> Path:
     path = Path(os.environ.get("PERCOLITH", ROOT / "build/release/bin/percolith")).resolve()
     assert path.is_file(), f"{path}: no such program; run `make build` or set PERCOLITH"
     return path
-
-
-@pytest.fixture(scope="session")
-def files() -> list[str]:
-    """All files of the project, relative to its root."""
-    import site_map
-
-    return site_map.tracked()

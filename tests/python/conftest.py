@@ -10,6 +10,24 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "python"), str(ROOT / "verification")]
 
 
+@pytest.fixture(scope="module")
+def block(tmp_path_factory):
+    """A run of mechanics that no program has made."""
+    from percolith import RunDirectory
+    from synthetic_run import write_mechanics_run
+
+    return RunDirectory(write_mechanics_run(tmp_path_factory.mktemp("block") / "results"))
+
+
+@pytest.fixture(scope="module")
+def coupled(tmp_path_factory):
+    """The same of fluid that breaks rock."""
+    from percolith import RunDirectory
+    from synthetic_coupled_run import write_coupled_run
+
+    return RunDirectory(write_coupled_run(tmp_path_factory.mktemp("coupled") / "results"))
+
+
 @pytest.fixture(scope="session")
 def run_example(tmp_path_factory):
     """run(name, **settings) -> Result of an example as shipped, or with replaced options; each is

@@ -200,3 +200,11 @@ def write_mechanics_run(folder: Path, load: float = 1e-3, events: int = 150,
     _write_events(folder, events, end)
     _write_probe(folder, load, end)
     return folder
+
+
+def add_bodies(folder: Path, bodies: str, *regions: str) -> None:
+    """Adds tables of bodies to the input of a run, and the names of its regions to its summary."""
+    with open(folder / "resolved.toml", "a") as file:
+        file.write(bodies)
+    summary = json.loads((folder / "summary.json").read_text())
+    (folder / "summary.json").write_text(json.dumps(summary | {"regions": regions}))

@@ -1,21 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What is drawn of a run in which fluid breaks rock: the fields of flow and of mechanics."""
 
-import json
-
 import numpy as np
 import pytest
 from percolith import RunDirectory, plot
+from percolith.crack_fields import carries_fluid, shown_values
 from percolith.crack_growth_picture import draw_crack_growth
 from percolith.crack_picture import MODES
 from percolith.deformation import crack_gaps, deformed_points
-from percolith.flow_fields import carries_fluid, crack_values, rock_and_crack_ranges
+from percolith.flow_fields import rock_and_crack_ranges
 from percolith.mechanics_history import draw_mechanics_history
 from percolith.pictures import fields_of
 from percolith.run_directory import Table
 from percolith.view import view_of_frame, view_of_times
 from synthetic_coupled_run import OPENING, PRESSURE, SIZE, write_coupled_run
-from synthetic_run import write_mechanics_run
+from synthetic_run import add_bodies, write_mechanics_run
 from test_mechanics_plot import names, pixels, share_of
 
 
@@ -79,7 +78,7 @@ def test_joints_that_only_soften_hold_no_fluid(run):
     frame = run.frame()
     wet = carries_fluid(frame.cracks)
     assert np.array_equal(~wet, frame.cracks.cell_data["mode"] == -1)
-    assert crack_values(frame, "pressure").min() > 0.4 * PRESSURE
+    assert shown_values(frame, "pressure").min() > 0.4 * PRESSURE
     del frame.cracks.cell_data["wet"]
     assert carries_fluid(frame.cracks).all()
 
@@ -163,10 +162,7 @@ def test_crack_growth_draws_the_columns_there_are(run, monkeypatch, tmp_path):
 
 def test_rigid_bodies_are_grey_under_pressure_too(tmp_path):
     directory = write_coupled_run(tmp_path / "results", frames=2)
-    with open(directory / "resolved.toml", "a") as file:
-        file.write('[body.plate]\nregions = ["corner"]\nrigid = true\n')
-    summary = json.loads((directory / "summary.json").read_text())
-    (directory / "summary.json").write_text(json.dumps(summary | {"regions": ["plate", "corner"]}))
+    add_bodies(directory, '[body.plate]\nregions = ["corner"]\nrigid = true\n', "plate", "corner")
     run = RunDirectory(directory)
     frame = run.frame()
     centre = frame.matrix.points[frame.matrix.cells].mean(axis=1)

@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from percolith.mechanics_history import load_curves
+from percolith.loading_picture import load_curves
 from percolith.run_directory import Table
 
 SHARE = np.linspace(0.0, 1.0, 50)

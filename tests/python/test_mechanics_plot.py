@@ -12,7 +12,7 @@ from percolith.deformation import crack_faces, deformed_points
 from percolith.event_picture import draw_events, shown_window
 from percolith.exaggeration import automatic_scale
 from percolith.mechanics_fields import fragment_count
-from percolith.mechanics_history import LoadCurve, load_curves
+from percolith.loading_picture import LoadCurve, load_curves
 from percolith.mechanics_picture import MODES, draw_mechanics
 from percolith.units import length_scale, prefix_scale
 from synthetic_run import HEIGHT, write_mechanics_run

@@ -18,18 +18,8 @@ from percolith.crack_picture import MODES
 from percolith.model_figure import fitting_columns
 from percolith.overlays import CRACKS, Overlays, check_overlays
 from percolith.view import view_of_frame, view_of_times
-from synthetic_coupled_run import OPENING, PRESSURE, write_coupled_run
+from synthetic_coupled_run import OPENING, PRESSURE
 from synthetic_run import write_mechanics_run
-
-
-@pytest.fixture(scope="module")
-def block(tmp_path_factory):
-    return RunDirectory(write_mechanics_run(tmp_path_factory.mktemp("block") / "results"))
-
-
-@pytest.fixture(scope="module")
-def coupled(tmp_path_factory):
-    return RunDirectory(write_coupled_run(tmp_path_factory.mktemp("coupled") / "results"))
 
 
 @pytest.fixture(autouse=True)
@@ -134,6 +124,14 @@ def test_arrows_lie_over_any_field_of_a_run_with_flow(coupled):
         (arrows,) = (one for one in axes.collections if isinstance(one, Quiver))
         assert arrows.N > 100 and any(name.startswith("longest arrow:") for name in labels(axes))
     assert not any(isinstance(one, Quiver) for one in coupled.plot("pressure").collections)
+
+
+def test_fluxes_of_rock_and_cracks_have_colours_of_their_own(coupled):
+    # That of the rock is m/s, that along cracks m2/s.
+    view = view_of_frame(coupled, coupled.frame(), "flux", overlays=Overlays("flux"))
+    assert view.cracks is not None
+    assert view.cracks.scale.unit != view.rock.scale.unit
+    assert view.cracks.high >= np.percentile(shown_values(coupled.frame(), "flux"), 90)
 
 
 @pytest.mark.parametrize("words, message", [

@@ -16,7 +16,7 @@ from percolith.reporting.packed import Packed, unpack
 from percolith.reporting.view_data import view_data
 from percolith.run_directory import RunDirectory
 from synthetic_coupled_run import OPENING, write_coupled_run
-from synthetic_run import write_mechanics_run
+from synthetic_run import add_bodies, write_mechanics_run
 
 _EMPTY = {"meta", "img", "input", "br", "link"}
 
@@ -163,10 +163,7 @@ def test_the_view_knows_which_cracks_hold_fluid(coupled, coupled_page):
 
 def test_rigid_bodies_have_no_values(mechanics, tmp_path):
     path = shutil.copytree(mechanics, tmp_path / "run")
-    with open(path / "resolved.toml", "a") as file:
-        file.write('[body.platen]\nregions = ["steel"]\nrigid = true\n')
-    summary = json.loads((path / "summary.json").read_text())
-    (path / "summary.json").write_text(json.dumps(summary | {"regions": ["rock", "steel"]}))
+    add_bodies(path, '[body.platen]\nregions = ["steel"]\nrigid = true\n', "rock", "steel")
     run = RunDirectory(path)
     frame = run.frame()
     steel = frame.matrix.points[frame.matrix.cells].mean(axis=1)[:, 1] > 0.09

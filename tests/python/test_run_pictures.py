@@ -9,18 +9,8 @@ import numpy as np
 import percolith
 import pytest
 from percolith import RunDirectoryError, pictures, plot
-from synthetic_coupled_run import SIZE, write_coupled_run
+from synthetic_coupled_run import SIZE
 from synthetic_run import write_mechanics_run
-
-
-@pytest.fixture(scope="module")
-def block(tmp_path_factory):
-    return percolith.open_run(write_mechanics_run(tmp_path_factory.mktemp("block") / "results"))
-
-
-@pytest.fixture(scope="module")
-def coupled(tmp_path_factory):
-    return percolith.open_run(write_coupled_run(tmp_path_factory.mktemp("coupled") / "results"))
 
 
 @pytest.fixture(autouse=True)

@@ -12,22 +12,12 @@ from percolith.field_picture import field_figure
 from percolith.mechanics_picture import mechanics_figure
 from percolith.view import shown_parts, view_of_frame, view_of_times
 from percolith.window import meets, window_from
-from synthetic_coupled_run import PRESSURE, SIZE, write_coupled_run
-from synthetic_run import HEIGHT, WIDTH, write_grid, write_mechanics_run, write_series
+from synthetic_coupled_run import PRESSURE, SIZE
+from synthetic_run import HEIGHT, WIDTH, write_grid, write_series
 from test_animation import pictures
 from test_mechanics_plot import names
 
 CORNER = np.array([[0.0, 0.0], [0.02, 0.03]])  # of the block, below its cracks
-
-
-@pytest.fixture(scope="module")
-def block(tmp_path_factory):
-    return RunDirectory(write_mechanics_run(tmp_path_factory.mktemp("block") / "results"))
-
-
-@pytest.fixture(scope="module")
-def coupled(tmp_path_factory):
-    return RunDirectory(write_coupled_run(tmp_path_factory.mktemp("coupled") / "results"))
 
 
 def words(window: np.ndarray) -> list[str]:

@@ -98,10 +98,7 @@ def check(chapter: Chapter, work: Path) -> None:
         coarse[name] = run_case(case, work / f"coarse_{name}", COARSE).results
     for label, results in (("", runs), ("coarse_", coarse)):
         for name, run in results.items():
-            chapter.at_most(f"{label}{name}.balance", f"{label}{name}: error of the mass balance",
-                            run.summary["mass_balance"]["relative_error"], 1e-12)
-            chapter.at_most(f"{label}{name}.energy", f"{label}{name}: error of the energy balance",
-                            run.summary["mechanics"]["energy_error"], 1e-3)
+            coupled.balances(chapter, f"{label}{name}", run)
     outcomes(chapter, "0.03 m", runs)
     outcomes(chapter, "0.04 m", coarse)
     points = threshold(chapter, work)

@@ -10,13 +10,12 @@ from typing import Any
 import numpy as np
 
 from percolith.b_value import b_value, reason_for_none
+from percolith.history_columns import HELD, INPUT
 from percolith.reporting.outcome import history_of
 from percolith.reporting.quantities import number_text, quantity_text
 from percolith.reporting.tables import Table, result_rows
 from percolith.run_directory import RunDirectory
 
-_GIVEN = ("external_work_J_per_m", "gravity_J_per_m", "fluid_work_J_per_m")
-_HELD = ("kinetic_J_per_m", "elastic_J_per_m", "joint_J_per_m", "contact_J_per_m")
 _LOST = ("fracture_J_per_m", "friction_J_per_m", "damping_J_per_m", "absorbed_J_per_m")
 _ENERGY = {"external_work_J_per_m": "work of loads and supports",
            "gravity_J_per_m": "work of gravity", "fluid_work_J_per_m": "work of the fluid",
@@ -89,9 +88,9 @@ def _mass(run: RunDirectory, last: dict[str, Any]) -> list[Table]:
 
 
 def _energy(results: dict[str, Any]) -> Table:
-    rows = _chosen(results, {name: _ENERGY[name] for name in (*_GIVEN, *_HELD, *_LOST)})
+    rows = _chosen(results, _ENERGY)
     given, held, lost = (sum(results.get(name, 0.0) for name in names)
-                         for names in (_GIVEN, _HELD, _LOST))
+                         for names in (INPUT, HELD, _LOST))
     if rows:
         rows.append(["given in all", quantity_text(given, "J/m")])
         rows.append(["held and lost in all", quantity_text(held + lost, "J/m")])

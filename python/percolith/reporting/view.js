@@ -137,9 +137,16 @@ function zoomBy(times, x, y) {
   redraw();
 }
 
+const turns = { rock: 0, cracks: 0 };
+
 async function choose(kind, name) {
+  const turn = ++turns[kind];
   const field = about[kind].find((one) => one.name === name) ?? null;
-  if (field) await model.colour(field);
+  if (field) {
+    await arrayOf(field.values);
+    if (turn !== turns[kind]) return;  // another was chosen meanwhile
+    await model.colour(field);
+  }
   state[kind] = field;
   showBar(byId(`view-${kind}-bar`), field);
   redraw();
