@@ -7,8 +7,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from percolith.run_directory import RunDirectory, Table
-from percolith.units import Scale, power_scale, pressure_scale, time_scale
+from percolith.units import Scale, format_value, power_scale, pressure_scale, time_scale
 
+_MOMENTS = 0.03  # of the time of a run
+_CUT_ABOVE = 3.0  # times the range of what lasts longer than moments
 _LEGEND_WIDTH = 100  # letters of small type across a panel; a handle takes 13
 
 
@@ -34,9 +36,49 @@ def draw_curves(axes, history: Table, time: Scale, curves: dict[str, str], scale
                 ncols=-(-len(curves) // rows))
 
 
+def lasting_range(time: np.ndarray, curves: np.ndarray) -> tuple[float, float]:
+    """The ends of a range that has 0 in it and that each of the curves (n, times) leaves on either
+    side for moments only: a small share of the time."""
+    share = np.gradient(time) if len(time) > 1 else np.ones(len(time))
+    low, high = 0.0, 0.0
+    for values in curves:
+        known = np.isfinite(values)
+        order = np.argsort(values[known], kind="stable")
+        passed = np.cumsum(share[known][order])
+        if not len(order) or passed[-1] <= 0.0:
+            continue
+        first, last = np.searchsorted(passed, np.array([_MOMENTS, 1.0 - _MOMENTS]) * passed[-1])
+        low = min(low, values[known][order[first]])
+        high = max(high, values[known][order[last]])
+    return float(low), float(high)
+
+
 def _rates(history: Table) -> dict[str, str]:
     ending = "_m2_per_s"
     return {name: name.removesuffix(ending) for name in history.columns if name.endswith(ending)}
+
+
+def _draw_rates(axes, history: Table, time: Scale, rates: dict[str, str]) -> None:
+    """The rate of each condition. Where a jump of a pressure lets in far more for a moment than
+    later, the panel ends at what lasts, and tells of the rest."""
+    joined = np.array([history[name] for name in rates])
+    ends = lasting_range(history["time_s"], joined)
+    lowest, highest = min(0.0, float(np.nanmin(joined))), max(0.0, float(np.nanmax(joined)))
+    is_cut = highest - lowest > _CUT_ABOVE * (ends[1] - ends[0]) > 0.0
+    scale = power_scale(np.array(ends) if is_cut else joined, "m²/s")
+    draw_curves(axes, history, time, rates, scale, "Rate into the model")
+    if not is_cut:
+        return
+    margin = 0.15 * (ends[1] - ends[0])
+    low, high = max(ends[0] - margin, lowest), min(ends[1] + margin, highest)
+    axes.set_ylim((low - 0.2 * margin) / scale.factor, (high + 0.2 * margin) / scale.factor)
+    beyond = [f"{word} {format_value(value, power_scale([value], 'm²/s'))}"
+              for word, value, is_beyond in (("up to", highest, highest > high),
+                                             ("down to", lowest, lowest < low)) if is_beyond]
+    if beyond:
+        axes.text(0.98, 0.96, "for moments beyond the panel: " + ", ".join(beyond), ha="right",
+                  va="top", fontsize="small", transform=axes.transAxes,
+                  bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 2.0})
 
 
 def _extremes(history: Table) -> dict[str, str]:
@@ -65,9 +107,7 @@ def history_figure(run: RunDirectory):
     draw_curves(grid[1, 0], history, time, extremes, pressure_scale(joined), "Pressure")
     rates = _rates(history)
     if rates:
-        joined = np.concatenate([history[name] for name in rates])
-        draw_curves(grid[1, 1], history, time, rates, power_scale(joined, "m²/s"),
-                    "Rate into the model")
+        _draw_rates(grid[1, 1], history, time, rates)
     grid[1, 1].set_visible(bool(rates))
     for axes in grid.flat:
         axes.grid(alpha=0.3)
