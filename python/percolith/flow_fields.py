@@ -42,8 +42,22 @@ def flux_size(frame: Frame) -> np.ndarray:
     return np.hypot(*flux(frame).T)
 
 
+def is_dry(grid: Grid) -> np.ndarray:
+    """True at the points that are not full of fluid: its pressure there is none, and the head but
+    the elevation."""
+    full = 1.0 - 1e-9
+    return grid.point_data.get("saturation", np.ones(len(grid.points))) < full
+
+
 def rock_values(frame: Frame, field: str) -> np.ndarray:
-    return flux_size(frame) if field == "flux" else point_values(frame.matrix, field)
+    """What the colours of a field span: of the head that of rock full of fluid, where there is
+    any."""
+    if field == "flux":
+        return flux_size(frame)
+    values = point_values(frame.matrix, field)
+    if field == "head" and not is_dry(frame.matrix).all():
+        return np.where(is_dry(frame.matrix), np.nan, values)
+    return values
 
 
 def _scale(field: str, low: float, high: float) -> Scale:

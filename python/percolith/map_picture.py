@@ -13,6 +13,7 @@ from percolith.cross_picture import arrow_handles, cross_handles, draw_arrows, d
 from percolith.deformation import can_deform, deformed_points
 from percolith.flow_fields import FIELDS
 from percolith.flow_fields import LABEL as FLOW_LABEL
+from percolith.head_picture import draw_head
 from percolith.mechanics_fields import LABEL, fragment_count, label_of, values_of
 from percolith.model_figure import ModelFigure, moment, shape, wrapped
 from percolith.rock_picture import (
@@ -44,7 +45,8 @@ def _draw_rock(model: ModelFigure, run: RunDirectory, frame: Frame, points, fiel
                view: View) -> tuple:
     """Draws the field; returns what a colour bar belongs to, and entries of the legend."""
     if view.rock is not None:
-        return draw_values(model.axes, frame, points, field, view), []
+        picture = draw_values(model.axes, frame, points, field, view)
+        return picture, (draw_head(model.axes, frame, points, view.rock) if field == "head" else [])
     numbers = values_of(frame, field)
     if field == "fragments":
         draw_categories(model.axes, frame, points, ranks_by_size(numbers))
