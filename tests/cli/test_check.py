@@ -3,7 +3,7 @@
 
 import re
 
-from conftest import ROOT, line_of
+from conftest import ROOT, STEADY, line_of
 
 
 def limits(text: str) -> dict[str, float]:
@@ -46,6 +46,13 @@ def test_limits_come_smallest_first_and_one_rules(percolith, six_fractures):
     assert text.count("<- rules") == 1
     ruling = next(line for line in text.splitlines() if "<- rules" in line)
     assert ruling.split(" s at ")[0].split()[0] == next(iter(found)).split()[0]
+
+
+def test_a_steady_case_has_no_limits_of_the_step(percolith, strip):
+    done = percolith("check", strip, *STEADY)
+    assert done.returncode == 0, done.stderr
+    assert "scheme steady: takes no time step" in done.stdout
+    assert "Limits" not in done.stdout and not limits(done.stdout)
 
 
 def test_limit_follows_the_case(percolith, strip):

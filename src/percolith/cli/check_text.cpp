@@ -70,6 +70,9 @@ std::string explicit_text(const simulation::Stepping& stepping, double stable,
 std::string limit_text(const simulation::CheckReport& report,
                        const simulation::Stepping& stepping) {
   const bool is_mechanics = !report.mechanics.empty();
+  if (!is_mechanics && stepping.scheme == simulation::Scheme::steady) {
+    return "  scheme steady: takes no time step\n";
+  }
   std::string text = "Limits of the explicit time step\n";
   bool first = true;
   for (const simulation::StepLimit& limit : report.limits) {
@@ -90,16 +93,10 @@ std::string limit_text(const simulation::CheckReport& report,
   if (is_mechanics) {  // which has no other scheme
     return text + explicit_text(stepping, stable, fmt::format(", safety {:g}", stepping.safety));
   }
-  switch (stepping.scheme) {
-  case simulation::Scheme::explicit_:
+  if (stepping.scheme == simulation::Scheme::explicit_) {
     return text + explicit_text(stepping, stable, "");
-  case simulation::Scheme::implicit:
-    return text + "  scheme implicit: the step is ruled by time.tolerance, not by these\n";
-  case simulation::Scheme::quasi_static:
-  case simulation::Scheme::steady:
-    break;
   }
-  return text + "  scheme steady: takes no time step\n";
+  return text + "  scheme implicit: the step is ruled by time.tolerance, not by these\n";
 }
 
 }  // namespace

@@ -17,8 +17,10 @@ namespace percolith::seepage {
 
 /// What helps in rock at rest where steady flow would need more suction than there is.
 inline constexpr std::string_view ways_out_of_suction =
-    "Use time.scheme = \"implicit\" and run until nothing changes, or set "
-    "fluid.cavitation_pressure = \"-inf\" to keep it saturated under suction";
+    "Use time.scheme = \"implicit\" with time.stop_ratio, such as 1e-3, which ends the run once "
+    "the "
+    "flow is steady, or set fluid.cavitation_pressure = \"-inf\" to keep it saturated under "
+    "suction";
 
 /// What a steady solution took.
 struct SteadyResult {

@@ -8,6 +8,7 @@
 #include "percolith/simulation/leak_off.hpp"
 #include "percolith/simulation/mesh_report.hpp"
 #include "percolith/simulation/pumped_mouths.hpp"
+#include "percolith/simulation/steady_suction.hpp"
 
 #include <fmt/format.h>
 
@@ -51,6 +52,9 @@ std::vector<std::string> model_warnings(const Setup& setup, const seepage::Model
         "only what gravity and the initial state drive will flow");
   }
   if (setup.time.scheme == Scheme::steady) {
+    if (const auto dry = steady_suction_warning(model)) {
+      warnings.push_back(*dry);
+    }
     for (std::size_t i = 0; i < model.conditions.schedule.size(); ++i) {
       if (!model.conditions.schedule[i].is_constant()) {
         warnings.push_back(fmt::format("{} depends on time; a steady run uses its value at time 0",

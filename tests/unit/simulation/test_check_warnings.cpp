@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <limits>
 
 #include "unit/support/solid_setup.hpp"
 
@@ -234,7 +235,51 @@ TEST(LeakOff, CountsTheStorageOfRockThatDeforms) {
                                        "Take elements of at most 0.017 m there"))));
 }
 
-}  // namespace
+/// Steady flow through a block of 1 m from a water level (m).
+Setup beside_water(double level) {
+  simulation::Setup setup = test::plain_setup();
+  setup.model.gravity = 9.81;
+  setup.boundary.clear();
+  setup.boundary["lake"].groups = {"bottom"};
+  setup.boundary["lake"].head = Schedule::constant(level);
+  setup.boundary["face"].groups = {"right"};
+  setup.boundary["face"].seepage_face = Schedule::constant(0.0);
+  return setup;
+}
+
+TEST(SteadySuction, OfRockAboveTheWaterIsForeseen) {
+  EXPECT_THAT(warnings_of(beside_water(0.4), test::plain_mesh()),
+              Contains(AllOf(StartsWith("the rock reaches up to ("),
+                             HasSubstr(", 1), and no condition lifts water above y = 0.4 m: the "
+                                       "rock would drain there, and the steady run will stop. "
+                                       "Use time.scheme = \"implicit\" with time.stop_ratio"))));
+  EXPECT_THAT(warnings_of(beside_water(1.0), test::plain_mesh()),
+              Each(Not(HasSubstr("would drain"))));
+}
+
+TEST(SteadySuction, IsNotForeseenWhereItCannotBeSure) {
+  const auto warns = [](const simulation::Setup& setup) {
+    return testing::Matches(Contains(HasSubstr("would drain")))(
+        warnings_of(setup, test::plain_mesh()));
+  };
+  EXPECT_TRUE(warns(beside_water(0.4)));
+  simulation::Setup setup = beside_water(0.4);
+  setup.fluid.cavitation_pressure = -std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(warns(setup));
+  setup.fluid.cavitation_pressure = -1e5;  // suction holds the water
+  EXPECT_FALSE(warns(setup));
+  setup = beside_water(0.4);
+  setup.source["well"].point = {{0.4, 0.4}};
+  setup.source["well"].rate = Schedule::constant(1e-3);
+  EXPECT_FALSE(warns(setup));
+  setup.source["well"].rate = Schedule::constant(-1e-3);
+  EXPECT_TRUE(warns(setup));
+  setup = beside_water(0.4);
+  setup.time.scheme = Scheme::implicit;
+  setup.time.end = 1.0;
+  EXPECT_FALSE(warns(setup));
+}
+
 /// A fracture that a pump feeds and that reaches a wall with a pressure of its own.
 Setup pumped_notch() {
   simulation::Setup setup = leaking(1.0);
@@ -263,4 +308,5 @@ TEST(PumpedMouth, IsNotWarnedOfElsewhere) {
   EXPECT_THAT(warnings_of(setup, test::plain_mesh()), Each(Not(HasSubstr("pumps into"))));
 }
 
+}  // namespace
 }  // namespace percolith::simulation
