@@ -56,7 +56,8 @@ def test_line_is_redrawn_in_place(program, strip, tmp_path):
 def test_line_gives_way_to_the_end(program, strip, tmp_path):
     code, text = run_on_terminal([program, "run", strip, *SHORT], tmp_path)
     assert code == 0
-    assert re.search(r"\r\x1b\[Kfinished at time 0.02 s after \d+ steps", text)
+    assert re.search(r"\r\x1b\[Kboundary.left: \S+ m2/s into the rock\r\nboundary.right: .*\r\n"
+                     r"finished at time 0.02 s after \d+ steps", text)
 
 
 def test_quiet_draws_nothing(program, strip, tmp_path):

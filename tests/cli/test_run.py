@@ -3,6 +3,7 @@
 
 import csv
 import json
+import re
 import tomllib
 
 import pytest
@@ -145,9 +146,62 @@ def test_says_where_the_results_are(percolith, strip):
 
 
 def test_plain_progress_lines_without_a_terminal(percolith, strip):
-    lines = percolith("run", strip, *SHORT).stdout.splitlines()[:-1]
-    assert 5 <= len(lines) <= 12
-    assert all(line.startswith("step ") and " of 0.02 s (" in line for line in lines)
+    lines = percolith("run", strip, *SHORT).stdout.splitlines()
+    assert [line.split(":")[0] for line in lines[-3:-1]] == ["boundary.left", "boundary.right"]
+    assert 5 <= len(lines[:-3]) <= 12
+    assert all(line.startswith("step ") and " of 0.02 s (" in line for line in lines[:-3])
+
+
+@pytest.mark.parametrize("settings", [STEADY, SHORT])
+def test_flow_ends_with_the_rate_of_each_condition(percolith, strip, tmp_path, settings):
+    done = percolith("run", strip, *settings, "--output", "out")
+    rate = json.loads((tmp_path / "out/summary.json").read_text())["rate_m2_per_s"]
+    left, right = (f"{abs(rate[f'boundary.{side}']):.5g} m2/s" for side in ("left", "right"))
+    lines = [f"boundary.left: {left} into the rock", f"boundary.right: {right} out of the rock"]
+    assert done.stdout.splitlines()[-3:-1] == lines
+    assert all(line in (tmp_path / "out/run.log").read_text() for line in lines)
+
+
+def test_flow_ends_when_it_has_settled(percolith, strip, tmp_path):
+    steady = percolith("run", strip, *STEADY, "--output", "steady")
+    wanted = json.loads((tmp_path / "steady/summary.json").read_text())["rate_m2_per_s"]
+    settings = ("--set", "time.step=", "--set", "time.end=1 day", "--set", "output.times=",
+                "--set", "time.stop_ratio=1e-3")
+    steps = set()
+    for threads in ("1", "2"):
+        done = percolith("run", strip, *settings, "--threads", threads, "--output", threads)
+        assert done.returncode == 0, done.stderr
+        last = done.stdout.splitlines()[-1]
+        assert re.search(r" steps, settled: what is stored and given up is \S+ of what flows "
+                         r"through, mass balance", last), last
+        summary = json.loads((tmp_path / threads / "summary.json").read_text())
+        assert summary["reached_rest"] and summary["end_time_s"] < 3600
+        assert summary["change_over_throughput"] <= 1e-3
+        for name, rate in summary["rate_m2_per_s"].items():
+            assert rate == pytest.approx(wanted[name], rel=1e-3)
+        assert float(rows_of(tmp_path / threads / "history.csv")[-1]["time_s"]) == \
+            summary["end_time_s"]
+        steps.add((summary["steps"], summary["state_hash"]))
+    assert len(steps) == 1
+    done = percolith("run", strip, *settings, "--set", "time.end=1 ms", "--output", "short")
+    assert " steps, not settled: what is stored and given up is " in done.stdout.splitlines()[-1]
+    refused = percolith("run", strip, *STEADY, "--set", "time.stop_ratio=1e-3")
+    assert refused.returncode == 2
+    assert "--set: error: time.stop_ratio = 0.001: has no effect here: it needs a time.scheme " \
+        'other than "steady"' in refused.stderr
+    assert steady.returncode == 0
+
+
+def test_a_steady_run_that_would_drain_tells_the_way_out(percolith):
+    dam = (ROOT / "examples/dam/case.toml", *STEADY)
+    way_out = 'Use time.scheme = "implicit" with time.stop_ratio, such as 1e-3'
+    checked = percolith("check", *dam)
+    assert checked.returncode == 0
+    assert "no condition lifts water above y = 5 m: the rock would drain there" in checked.stderr
+    assert way_out in checked.stderr
+    done = percolith("run", *dam, "--output", "out")
+    assert done.returncode == 3
+    assert "the rock would drain there. " + way_out in done.stderr
 
 
 def test_equal_bits_for_one_and_two_threads(percolith, six_fractures, tmp_path):

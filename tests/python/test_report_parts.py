@@ -2,9 +2,11 @@
 """What the page of a run is made of: numbers with units, packed arrays, the text of the input."""
 
 import tomllib
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from percolith.reporting.outcome import outcome_of
 from percolith.reporting.packed import pack, unpack
 from percolith.reporting.quantities import number_text, quantity_text, unit_of, unit_text
 from percolith.reporting.resolved_text import read_resolved
@@ -90,3 +92,12 @@ def test_tables_of_options():
     assert rows["permeability"][0].startswith("10⁻¹³ m²")
     assert boundaries.rows == [["velocity y", "0 m/s at 0 s; −0.04 m/s at 500 µs"]]
     assert time.head == [] and time.rows == [["end", "2 s"]]
+
+
+@pytest.mark.parametrize(("more", "how"), [
+    ({}, "came to its end"), ({"reached_rest": True}, "came to rest"),
+    ({"reached_rest": True, "change_over_throughput": 1e-4}, "settled"),
+    ({"reached_rest": False, "change_over_throughput": 0.5}, "came to its end")])
+def test_how_a_run_ended(more, how):
+    run = SimpleNamespace(has_summary=True, is_steady=False, summary={"end_time_s": 2e-3, **more})
+    assert outcome_of(run).text == f"The run {how} at 2 ms."

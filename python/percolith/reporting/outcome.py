@@ -64,7 +64,8 @@ def outcome_of(run: RunDirectory) -> Outcome:
     status = run.summary.get("outcome", "finished")
     reason = run.summary.get("reason", "")
     if status == "finished":
-        how = "came to rest" if run.summary.get("reached_rest") else "came to its end"
+        rested = "settled" if "change_over_throughput" in run.summary else "came to rest"
+        how = rested if run.summary.get("reached_rest") else "came to its end"
         how = "found the steady state" if run.is_steady else how + at
         return Outcome(status, f"The run {how}.")
     if status == "interrupted":

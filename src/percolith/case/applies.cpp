@@ -97,6 +97,7 @@ const std::vector<Applicability> of_seepage_and_run{
     {"time.maximum_step", {"time.scheme", "time.step"}, chooses_step, free_step},
     {"time.tolerance", {"time.scheme", "time.step"}, has_tolerance, free_step},
     {"time.balance_tolerance", {"time.scheme"}, is_quasi_static, "time.scheme = \"quasi_static\""},
+    {"time.stop_ratio", {"time.scheme"}, is_transient, transient},
     {"time.mass_scaling_step", {"time.scheme"}, has_inertia, "time.scheme = \"explicit\""},
     {"damping", {"time.scheme"}, has_inertia, "time.scheme = \"explicit\""},
     {"time.safety", {"time.scheme"}, is_explicit, "time.scheme = \"explicit\""},

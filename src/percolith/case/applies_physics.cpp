@@ -39,7 +39,7 @@ constexpr std::array<std::string_view, 24> of_flow{{
     "time.tolerance",
 }};
 
-constexpr std::array<std::string_view, 45> of_motion{{
+constexpr std::array<std::string_view, 44> of_motion{{
     "model.plane",
     "material.*.density",
     "material.*.young_modulus",
@@ -83,7 +83,6 @@ constexpr std::array<std::string_view, 45> of_motion{{
     "excavation.*",
     "damping",
     "contact",
-    "time.stop_ratio",
     "time.mass_scaling_step",
 }};
 

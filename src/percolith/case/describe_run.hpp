@@ -56,9 +56,12 @@ void describe(V& option, simulation::Stepping& m) {
                           "run: explicit in as many steps as the pores need, or implicit together "
                           "with the cracks, in one. Cracks are always implicit."});
   option(m.stop_ratio, Quantity{"stop_ratio", "1", Bounds{0.0, 1.0, false, false}, Need::optional,
-                                "Unbalanced force over internal forces below which the rock is at "
-                                "rest and the run ends; in coupled physics the pressures in the "
-                                "cracks must rest as well, and no rate may go on to the end.",
+                                "Ends the run early. In mechanics: unbalanced force over internal "
+                                "forces below which the rock is at rest; in coupled physics the "
+                                "pressures in the cracks must rest as well, and no rate may go on "
+                                "to the end. In seepage: what pores and cracks store and give up, "
+                                "over what flows through, below which the flow is steady. Needs a "
+                                "scheme other than steady.",
                                 "the run goes on to its end"});
   option(m.mass_scaling_step,
          Quantity{"mass_scaling_step", "s", positive, Need::optional,

@@ -97,6 +97,10 @@ std::string summary_json(const RunRecord& record, const simulation::Summary& sum
   if (summary.last.has_flow) {
     add_flow(json, summary, !record.fractures.empty());
   }
+  if (summary.settlement) {
+    json["reached_rest"] = summary.reached_rest;
+    json["change_over_throughput"] = summary.settlement->change;
+  }
   if (!summary.mechanics.empty()) {
     json["reached_rest"] = summary.reached_rest;
     json["mechanics"] = mechanics(summary);

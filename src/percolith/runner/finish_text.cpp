@@ -14,12 +14,26 @@
 namespace percolith::runner {
 namespace {
 
+/// Whether and how `time.stop_ratio` ended a run.
+std::string rest_text(const simulation::Summary& summary) {
+  const auto& settlement = summary.settlement;
+  if (!settlement) {
+    return summary.reached_rest ? ", at rest" : "";
+  }
+  if (settlement->is_rest && summary.reached_rest) {
+    return ", settled: the fluid is at rest";
+  }
+  return fmt::format(", {}: {} {:.2g} of what flows through",
+                     summary.reached_rest ? "settled" : "not settled",
+                     "what is stored and given up is", settlement->change);
+}
+
 std::string end_text(const simulation::Summary& summary, bool is_steady) {
   if (is_steady) {
     return "the steady state";
   }
   return fmt::format("at time {:.6g} s after {} steps{}", summary.end_time, summary.steps,
-                     summary.reached_rest ? ", at rest" : "");
+                     rest_text(summary));
 }
 
 template <class Number>
@@ -61,6 +75,15 @@ std::string source_text(const simulation::Summary& summary, const std::string& n
   return text;
 }
 
+/// What each condition lets in or out at the end of a run of flow, a line each.
+void add_rates(const simulation::Summary& summary, std::vector<std::string>& lines) {
+  for (const auto& [name, rate] : summary.last.rate) {
+    lines.push_back(rate == 0.0 ? fmt::format("{}: no flow", name)
+                                : fmt::format("{}: {:.5g} m2/s {} the rock", name, std::abs(rate),
+                                              rate > 0.0 ? "into" : "out of"));
+  }
+}
+
 /// What fluid did in a coupled run, a line for each source and one for the cracks.
 void add_fluid(const simulation::Summary& summary, std::vector<std::string>& lines) {
   for (const auto& [name, volume] : summary.last.balance.by_condition) {
@@ -91,6 +114,9 @@ std::string finish_text(const simulation::Summary& summary, bool is_steady,
 
 std::vector<std::string> result_lines(const simulation::Summary& summary) {
   std::vector<std::string> lines;
+  if (summary.last.has_flow && summary.mechanics.empty()) {
+    add_rates(summary, lines);
+  }
   const auto count = [&](const char* name) {
     return result_of<std::int64_t>(summary, name).value_or(0);
   };

@@ -161,6 +161,13 @@ struct Progress {
   std::optional<std::int64_t> broken_joints = std::nullopt;  ///< in mechanics
 };
 
+/// How far a flow with `time.stop_ratio` has settled: what changes in its pores and cracks between
+/// the last two looks at it, over what flows through.
+struct Settlement {
+  double change = 0.0;   ///< 1; infinite where fluid only moves within the rock
+  bool is_rest = false;  ///< ended because hardly anything flows or changes any more
+};
+
 /// What remains to be said at the end of a run.
 struct Summary {
   double end_time = 0.0;  ///< s
@@ -171,7 +178,8 @@ struct Summary {
   HistoryRow last;
   double throughput = 0.0;    ///< m2/s that enter, in the last step or in steady state
   std::string state_hash;     ///< of all that the state of the run consists of
-  bool reached_rest = false;  ///< mechanics ended by `time.stop_ratio`
+  bool reached_rest = false;  ///< ended by `time.stop_ratio`
+  std::optional<Settlement> settlement = std::nullopt;  ///< of flow with a `time.stop_ratio`
   /// Named results of mechanics: energy balance, broken joints by mode, fragments, b-value, added
   /// mass.
   std::vector<NamedResult> mechanics;

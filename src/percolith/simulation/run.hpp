@@ -8,6 +8,7 @@
 #include "percolith/simulation/frames.hpp"
 #include "percolith/simulation/pause.hpp"
 #include "percolith/simulation/report.hpp"
+#include "percolith/simulation/settling.hpp"
 #include "percolith/simulation/setup.hpp"
 
 #include <functional>
@@ -42,7 +43,7 @@ struct TransientScheme {
   /// Advances the model by one step that does not pass `event` (s) and returns it.
   std::function<StepMade(double event)> make_step;
   double history_interval = 0.0;          ///< s; 0: a row a step
-  std::int64_t steps_between_checks = 1;  ///< for values that are not numbers
+  std::int64_t steps_between_checks = 1;  ///< for values that are not numbers, and for rest
   /// Walks through what the next step takes over from those before, beside the model; may be empty.
   std::function<void(StateArchive&)> state{};
 };
@@ -61,6 +62,9 @@ public:
 private:
   void describe_state(StateArchive& archive);
   [[nodiscard]] StepMade make_step(double event);
+  /// Looks whether the flow has settled, where that is wanted and it is time to.
+  void look_for_rest();
+  [[nodiscard]] bool is_over() const;
   void report_step(Observer& observer);
 
   const Setup& setup_;
@@ -68,6 +72,7 @@ private:
   TransientScheme scheme_;
   EventClock clock_;
   HistoryClock history_;
+  Settling settling_;
   std::optional<Checkpoints> checkpoints_;
   StepEnd last_;
   double size_ = 0.0;  // s, of the last step

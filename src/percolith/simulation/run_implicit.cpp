@@ -7,13 +7,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 
 namespace percolith::simulation {
 namespace {
 
-/// Steps this much shorter than the run mean that no solution is to be had.
+/// Steps this much shorter than the first one, or than the time gone by, mean that no solution is
+/// to be had. The end of the run is no measure: it may be as far off as anyone likes.
 constexpr double smallest_share = 1e-15;
 
 StepControl make_control(const Setup& setup, const seepage::ImplicitFlow& flow) {
@@ -46,14 +48,16 @@ StepControl make_control(const Setup& setup, const seepage::ImplicitFlow& flow) 
       run.model.state.time, dt));
 }
 
-/// Tries steps until one is good and accepts it; `event` is not overstepped.
+/// Tries steps until one is good and accepts it; `event` is not overstepped. `first` is the first
+/// step of the run, s.
 StepMade make_step(RunState& run, seepage::ImplicitFlow& flow, StepControl& control, double event,
-                   double end, const char* limited_by) {
+                   double first, const char* limited_by) {
+  const double shortest = smallest_share * std::max(first, run.model.state.time);
   while (true) {
     const double asked = control.step();
     const double dt = step_towards(run.model.state.time, event, asked);
     // An event close ahead may make a short step; only the step that is asked for means failure.
-    if (asked < smallest_share * end) {
+    if (asked < shortest) {
       give_up(run, dt);
     }
     const bool solved = flow.attempt(run.model, dt, run.execution);
@@ -74,8 +78,9 @@ TransientScheme implicit_scheme(const Setup& setup, RunState& run) {
   const auto flow = std::make_shared<seepage::ImplicitFlow>(run.model);
   const auto control = std::make_shared<StepControl>(make_control(setup, *flow));
   const char* limited_by = setup.time.step ? "given step" : "tolerance";
-  TransientScheme scheme{[&run, flow, control, end = setup.time.end, limited_by](double event) {
-    return make_step(run, *flow, *control, event, end, limited_by);
+  const double first = std::min(control->step(), setup.time.end);
+  TransientScheme scheme{[&run, flow, control, first, limited_by](double event) {
+    return make_step(run, *flow, *control, event, first, limited_by);
   }};
   scheme.state = [flow, control](StateArchive& archive) {
     archive("flow", *flow);

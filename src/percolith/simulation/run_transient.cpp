@@ -20,11 +20,13 @@ const char* reason(const StepMade& step, double event, double output) {
 
 TransientRun::TransientRun(const Setup& setup, RunState& run, TransientScheme scheme)
     : setup_(setup), run_(run), scheme_(std::move(scheme)), clock_(setup.output, setup.time.end),
-      history_(setup.output.history_interval.value_or(scheme_.history_interval)) {}
+      history_(setup.output.history_interval.value_or(scheme_.history_interval)),
+      settling_(setup.time, run.model) {}
 
 void TransientRun::describe_state(StateArchive& archive) {
   archive("run", run_);
   archive("history", history_);
+  archive("settling", settling_);
   if (scheme_.state) {
     scheme_.state(archive);
   }
@@ -59,6 +61,17 @@ StepMade TransientRun::make_step(double event) {
   return step;
 }
 
+void TransientRun::look_for_rest() {
+  if (settling_.is_wanted() && run_.summary.steps % scheme_.steps_between_checks == 0) {
+    run_.summary.reached_rest = settling_.look(run_.model);
+    run_.summary.settlement = settling_.seen();
+  }
+}
+
+bool TransientRun::is_over() const {
+  return run_.model.state.time >= setup_.time.end || run_.summary.reached_rest;
+}
+
 void TransientRun::report_step(Observer& observer) {
   checkpoints_->report_step(
       last_, [&] { report_history(run_, size_, observer); },
@@ -70,24 +83,25 @@ Reached TransientRun::advance(Observer& observer, const std::function<bool()>& s
   const double end = setup_.time.end;
   const PauseClock wait(pause, run_.summary.steps);
   bool stopped = false;
-  while (run_.model.state.time < end && !stopped &&
+  while (!is_over() && !stopped &&
          !wait.over(run_.model.state.time, run_.summary.steps, last_.frame)) {
     const double now = run_.model.state.time;
     const double output = clock_.next_output(now);
     const double event = std::min(output, run_.model.conditions.next_break(now));
     const StepMade step = make_step(event);
+    look_for_rest();
     stopped = stop();
     const double t = run_.model.state.time;
-    const bool at_output = clock_.reaches(t, output);
+    const bool at_output = clock_.reaches(t, output) || run_.summary.reached_rest;
     if (at_output || stopped || run_.summary.steps % scheme_.steps_between_checks == 0) {
       require_valid(run_);
     }
-    last_ = {t, run_.summary.steps, history_.due(t) || at_output, at_output, t >= end, stopped};
+    last_ = {t, run_.summary.steps, history_.due(t) || at_output, at_output, is_over(), stopped};
     report_step(observer);
     observer.on_progress(
         {t, end, step.size, run_.summary.steps, step.iterations, reason(step, event, output)});
   }
-  if (run_.model.state.time >= end) {
+  if (is_over()) {
     return Reached::end;
   }
   return stopped ? Reached::stop : Reached::pause;

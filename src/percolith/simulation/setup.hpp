@@ -202,7 +202,8 @@ struct Stepping {
   std::optional<double> balance_tolerance{};
   double safety = 0.9;                       ///< share of the stability limit used, explicit
   PoreFlow pore_flow = PoreFlow::explicit_;  ///< coupled, explicit
-  /// Mechanics ends early when the unbalanced force is below this share of the internal forces.
+  /// A run ends early when the unbalanced force is below this share of the internal forces, or what
+  /// flow alone still stores or gives up below this share of what flows through.
   std::optional<double> stop_ratio;
   std::optional<double> mass_scaling_step;  ///< s: triangles with a lower limit get more mass
   friend bool operator==(const Stepping&, const Stepping&) = default;

@@ -43,6 +43,11 @@ static void describe_state(StateArchive& archive, PeakPressure& peak) {
   archive("time", peak.time);
 }
 
+static void describe_state(StateArchive& archive, Settlement& settlement) {
+  archive("change", settlement.change);
+  archive("is_rest", settlement.is_rest);
+}
+
 void describe_state(StateArchive& archive, Summary& summary) {
   archive("steps", summary.steps);
   archive("rejected_steps", summary.rejected_steps);
@@ -50,6 +55,7 @@ void describe_state(StateArchive& archive, Summary& summary) {
   archive("last", summary.last);
   archive("throughput", summary.throughput);
   archive("reached_rest", summary.reached_rest);
+  archive("settlement", summary.settlement);
   archive.of_any_size("peak_reactions", summary.peak_reactions);
   archive.of_any_size("peak_pressures", summary.peak_pressures);
 }

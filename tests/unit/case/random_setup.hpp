@@ -123,6 +123,9 @@ private:
     }
     time.end = positive();
     if (flip()) {
+      time.stop_ratio = 0.5 * fraction();
+    }
+    if (flip()) {
       time.step = positive();
     } else if (time.scheme == simulation::Scheme::implicit) {
       time.initial_step = positive();

@@ -213,6 +213,10 @@ TEST(Rules, OptionsOfAnotherScheme) {
             "--set: error: time.maximum_step = 0.5" + free_step);
   EXPECT_EQ(error_set({"time.initial_step=2", "time.maximum_step=1"}),
             "--set: error: time.initial_step = 2: greater than maximum_step; allowed: at most 1 s");
+  EXPECT_EQ(error_set({"time.stop_ratio=1e-3"}), "");
+  EXPECT_EQ(error_set({"time.end=", "time.scheme=steady", "time.stop_ratio=1e-3"}),
+            "--set: error: time.stop_ratio = 0.001: has no effect here: it needs a time.scheme "
+            "other than \"steady\"");
   EXPECT_EQ(error_set({"time.end=", "time.scheme=steady", "output.interval=3"}),
             "--set: error: output.interval = 3: has no effect here: it needs a time.scheme "
             "other than \"steady\"");

@@ -110,7 +110,6 @@ TEST(RulesOfMechanics, ItsOptionsHaveNoEffectInSeepage) {
                                    "boundary.left.traction_x",
                                    "boundary.left.traction_y",
                                    "boundary.left.normal_pressure",
-                                   "time.stop_ratio",
                                    "time.mass_scaling_step"}) {
     EXPECT_EQ(seepage_error({exchange, option + " = 0.1"}), no_effect(option + " = 0.1", needed));
   }

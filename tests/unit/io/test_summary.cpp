@@ -122,6 +122,15 @@ TEST(Summary, OfMechanicsHasItsNamedResultsAndNoneOfFlow) {
   EXPECT_FALSE(flow.contains("reached_rest"));
 }
 
+TEST(Summary, TellsHowFarAFlowHasSettled) {
+  simulation::Summary flow = summary();
+  flow.reached_rest = true;
+  flow.settlement = simulation::Settlement{2e-4, false};
+  const auto json = nlohmann::json::parse(summary_json(record(), flow, {}));
+  EXPECT_EQ(json["reached_rest"], true);
+  EXPECT_EQ(json["change_over_throughput"], 2e-4);
+}
+
 TEST(Summary, NamesTheProcessor) {
   EXPECT_FALSE(processor_name().empty());
 }

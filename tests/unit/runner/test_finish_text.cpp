@@ -2,7 +2,7 @@
 #include "percolith/runner/derived_values.hpp"
 #include "percolith/runner/finish_text.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 namespace percolith::runner {
 namespace {
@@ -21,6 +21,22 @@ TEST(FinishText, TellsTheErrorOfTheMassBalance) {
             "a.results");
   EXPECT_EQ(finish_text(summary(), true, "a.results"),
             "finished the steady state, mass balance error 3.0e-15; results in a.results");
+}
+
+TEST(FinishText, TellsWhetherAFlowHasSettled) {
+  simulation::Summary flow = summary();
+  flow.reached_rest = true;
+  flow.settlement = simulation::Settlement{8.3e-4, false};
+  EXPECT_EQ(finish_text(flow, false, "a.results"),
+            "finished at time 0.25 s after 1200 steps, settled: what is stored and given up is "
+            "0.00083 of what flows through, mass balance error 3.0e-15; results in a.results");
+  flow.reached_rest = false;
+  EXPECT_THAT(finish_text(flow, false, "a.results"),
+              testing::HasSubstr("steps, not settled: what is stored and given up is 0.00083 of "));
+  flow.reached_rest = true;
+  flow.settlement->is_rest = true;
+  EXPECT_THAT(finish_text(flow, false, "a.results"),
+              testing::HasSubstr("after 1200 steps, settled: the fluid is at rest, mass"));
 }
 
 TEST(FinishText, TellsTheErrorOfTheEnergyBalanceInMechanics) {
@@ -53,6 +69,17 @@ TEST(ResultLines, TellBrokenJointsAndTheReactionsThereWere) {
       (std::vector<std::string>{
           "joints that broke: 12 (9 in tension, 1 in shear, 2 mixed)",
           "largest reaction of boundary.top: x 0 N/m at 0 s, y -7.854e+05 N/m at 0.00325 s"}));
+}
+
+TEST(ResultLines, TellTheRateOfEachConditionOfAFlow) {
+  simulation::Summary flow = summary();
+  flow.last.rate = {{"boundary.in", 1.25e-6}, {"boundary.out", -1.5e-6}, {"source.dry", 0.0}};
+  EXPECT_EQ(result_lines(flow),
+            (std::vector<std::string>{"boundary.in: 1.25e-06 m2/s into the rock",
+                                      "boundary.out: 1.5e-06 m2/s out of the rock",
+                                      "source.dry: no flow"}));
+  flow.mechanics = {{"broken_joints", 0}};
+  EXPECT_EQ(result_lines(flow).size(), 1u);
 }
 
 TEST(ResultLines, TellWhatFluidDidInACoupledRun) {

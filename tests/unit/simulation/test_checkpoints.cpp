@@ -242,6 +242,22 @@ TEST(Checkpoints, ExplicitFlowGoesOnToTheSameBits) {
   expect_same_from_checkpoints(setup, test::make_grid(grid), 10);
 }
 
+TEST(Checkpoints, FlowThatSettlesEndsAtTheSameStep) {
+  for (const Scheme scheme : {Scheme::implicit, Scheme::explicit_}) {
+    simulation::Setup setup = test::plain_setup();
+    setup.time.scheme = scheme;
+    setup.time.end = 50.0;
+    setup.time.stop_ratio = 1e-3;
+    setup.output.history_interval = 0.5;
+    setup.output.checkpoint_interval = scheme == Scheme::implicit ? 1e-4 : 0.1;
+    test::Recorder recorder;
+    const Summary summary = test::run(setup, test::make_grid(grid), recorder);
+    EXPECT_TRUE(summary.reached_rest);
+    EXPECT_LT(summary.end_time, setup.time.end);
+    expect_same_from_checkpoints(setup, test::make_grid(grid), 8);
+  }
+}
+
 struct Way {
   FluidEnters fluid_enters;
   PoreFlow pore_flow;
