@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 namespace percolith::case_file {
@@ -33,6 +34,36 @@ std::string tables_with(const std::string& name, std::string_view physics) {
   return tables;
 }
 
+/// What an option that a table has not is called there, or follows from.
+struct Elsewhere {
+  std::string_view table;
+  std::string_view key;
+  std::string_view hint;
+};
+
+constexpr std::string_view conduction_of_cracks =
+    "a fracture conducts by its aperture a, as a^3/12 (cubic law): initial_aperture; "
+    "transmissivity "
+    "replaces that law";
+constexpr std::array<Elsewhere, 6> known_elsewhere{{
+    {"fracture", "permeability", conduction_of_cracks},
+    {"fracture", "conductivity", conduction_of_cracks},
+    {"fracture", "hydraulic_conductivity", conduction_of_cracks},
+    {"new_cracks", "permeability", conduction_of_cracks},
+    {"new_cracks", "conductivity", conduction_of_cracks},
+    {"new_cracks", "hydraulic_conductivity", conduction_of_cracks},
+}};
+
+/// "" where nothing is known of the option.
+std::string_view hint_of(const std::string& path, const std::string& key) {
+  const std::string table = path.substr(0, path.find('.'));
+  const auto known =
+      std::find_if(known_elsewhere.begin(), known_elsewhere.end(), [&](const Elsewhere& option) {
+        return option.table == table && option.key == key;
+      });
+  return known == known_elsewhere.end() ? std::string_view{} : known->hint;
+}
+
 /// The names that the table `path` has in a case of `physics`.
 std::vector<std::string_view> names_within(const std::string& path,
                                            const std::vector<std::string_view>& known,
@@ -53,7 +84,10 @@ InputProblem unknown_key(const Entry& entry, const std::string& path,
   const std::string tables = tables_with(entry.key, physics);
   const std::vector<std::string_view> names = names_within(path, known, physics);
   const std::string_view nearest = nearest_name(entry.key, names);
-  if (!tables.empty()) {
+  const std::string_view hint = hint_of(path, entry.key);
+  if (!hint.empty()) {
+    reason += fmt::format(" here; {}", hint);
+  } else if (!tables.empty()) {
     reason += fmt::format(" here; \"{}\" belongs in {}", entry.key, tables);
   } else if (!nearest.empty()) {
     reason += fmt::format("; the nearest valid name is \"{}\"", nearest);

@@ -15,6 +15,16 @@ namespace {
 using mesh::Index;
 using seepage::NodeCondition;
 
+/// What helps where a condition asks for a pressure below the cavitation pressure.
+constexpr const char* ways_to_press_enough =
+    "pressures not below fluid.cavitation_pressure, a seepage_face, or "
+    "fluid.cavitation_pressure = \"-inf\"";
+constexpr const char* ways_to_end_at_the_head =
+    "a head not below the top of the boundary: split it in the mesh into a wet part, which keeps "
+    "the "
+    "head, and the part above, without a condition or with seepage_face = 0 where water may come "
+    "out; or fluid.cavitation_pressure = \"-inf\"";
+
 /// Whether crack and facing pores at a vertex have one pressure by infinite exchange.
 bool shares_pressure(const seepage::Model& model, Index vertex) {
   const auto joints = model.mesh.vertex_joints.row(vertex);
@@ -79,14 +89,14 @@ void ConditionList::check_cavitation(Index vertex, const NodeCondition& conditio
   const double tolerance = 1e-9 * (std::abs(condition.offset) + std::abs(limit));
   if (pressure < limit - tolerance) {
     const Point p = model_->mesh.vertex[at(vertex)];
-    throw InputError({{},
-                      key(),
-                      "",
-                      fmt::format("prescribes {:.6g} Pa at ({:g}, {:g}), below the cavitation "
-                                  "pressure of {:.6g} Pa",
-                                  pressure, p.x, p.y, limit),
-                      "pressures not below fluid.cavitation_pressure, a seepage_face, or "
-                      "fluid.cavitation_pressure = \"-inf\""});
+    throw InputError(
+        {{},
+         key(),
+         "",
+         fmt::format("prescribes {:.6g} Pa at ({:g}, {:g}), below the cavitation "
+                     "pressure of {:.6g} Pa",
+                     pressure, p.x, p.y, limit),
+         conditions_.option.back() == "head" ? ways_to_end_at_the_head : ways_to_press_enough});
   }
 }
 

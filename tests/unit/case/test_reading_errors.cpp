@@ -19,7 +19,7 @@ TEST(ReadingErrors, UnknownOptionNamesTheNearest) {
   EXPECT_EQ(error_with("ende = 3\n"),
             "case.toml:20:1: error: time.ende: unknown option; the nearest valid name is \"end\"; "
             "allowed: \"scheme\", \"end\", \"step\", \"initial_step\", \"maximum_step\", "
-            "\"tolerance\", \"safety\"");
+            "\"tolerance\", \"safety\", \"stop_ratio\"");
   EXPECT_THAT(error_with("[boundry.right]\ngroups = [\"r\"]\n"),
               StartsWith("case.toml:20:2: error: boundry: unknown option; the nearest valid name "
                          "is \"boundary\"; allowed: \"format\", "));
@@ -38,6 +38,18 @@ TEST(ReadingErrors, OptionInTheWrongTableNamesTheRightOnes) {
                  "belongs in [fluid]; allowed: "));
   EXPECT_THAT(error_with("pressure = 1\n"),
               HasSubstr("\"pressure\" belongs in [boundary.NAME], [source.NAME], [initial]"));
+}
+
+TEST(ReadingErrors, WhatConductsInAFractureIsNamed) {
+  const std::string hint = "unknown option here; a fracture conducts by its aperture a, as a^3/12 "
+                           "(cubic law): initial_aperture; transmissivity replaces that law; "
+                           "allowed: \"groups\", \"initial_aperture\"";
+  const std::string fault = "[fracture.fault]\ngroups = [\"f\"]\ninitial_aperture = 1e-4\n"
+                            "exchange = 1e-9\n";
+  EXPECT_THAT(error_with(fault + "permeability = 1e-12\n"),
+              StartsWith("case.toml:24:1: error: fracture.fault.permeability: " + hint));
+  EXPECT_THAT(error_with(fault + "hydraulic_conductivity = 1e-5\n"), HasSubstr(hint));
+  EXPECT_THAT(error_with(fault + "viscosity = 1\n"), Not(HasSubstr("cubic")));
 }
 
 TEST(ReadingErrors, WrongKindOfValue) {

@@ -87,6 +87,21 @@ TEST(ConditionErrors, PressuresBelowCavitationAreRefusedUnlessTheRockStaysSatura
   expect_refused(setup, "boundary.face.seepage_face", "prescribes -1 Pa at (1, ");
 }
 
+TEST(ConditionErrors, AHeadBelowTheTopOfItsBoundaryIsToldHowToBeSplit) {
+  simulation::Setup setup = plain_setup();
+  setup.model.gravity = 9.81;
+  setup.boundary.clear();
+  setup.boundary["lake"] = boundary("left");
+  setup.boundary["lake"].head = Schedule::constant(0.5);
+  expect_refused(setup, "boundary.lake.head",
+                 "below the cavitation pressure of 0 Pa; allowed: a head not below the top of the "
+                 "boundary: split it in the mesh into a wet part, which keeps the head, and the "
+                 "part above, without a condition or with seepage_face = 0 where water may come "
+                 "out; or fluid.cavitation_pressure = \"-inf\"");
+  setup.boundary["lake"].head = Schedule::constant(1.0);
+  EXPECT_NO_THROW(Simulation(setup, test::plain_mesh()));
+}
+
 TEST(ConditionErrors, TwoSeepageFacesOfDifferentOutsidePressureContradict) {
   simulation::Setup setup = plain_setup();
   setup.boundary.erase("outlet");
