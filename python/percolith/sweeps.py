@@ -121,7 +121,8 @@ class Sweep:
 
     def table(self) -> Table:
         """A row a point: `point`, `state`, its options, and the numbers of its summary, those of
-        mechanics and of the mass balance among them; NaN where there is none."""
+        mechanics and of the mass balance among them, and the rate of each condition at the end as
+        `boundary.left_m2_per_s`, called as in the history; NaN where there is none."""
         rows = [_row(point) for point in self.points]
         names = list(dict.fromkeys(name for row in rows for name in row))
         return Table({name: _column([row.get(name) for row in rows]) for name in names})
@@ -157,6 +158,8 @@ def _row(point: Point) -> dict[str, Any]:
         parts = [summary, summary.get("mechanics", {}), summary.get("mass_balance", {})]
         row |= {name: value for part in parts for name, value in part.items()
                 if isinstance(value, (int, float)) and not isinstance(value, bool)}
+        rates = summary.get("rate_m2_per_s", {})
+        row |= {f"{name}_m2_per_s": rate for name, rate in rates.items()}
     return row
 
 

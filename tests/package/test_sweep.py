@@ -38,6 +38,9 @@ def test_all_combinations_are_run_and_told(case, tmp_path):
     table = sweep.table()
     assert list(table["state"]) == ["finished"] * 4
     assert table["in_m2"][2] == pytest.approx(2 * table["in_m2"][0], rel=0.2)
+    assert table["boundary.left_m2_per_s"][0] > 0 > table["boundary.right_m2_per_s"][0]
+    for point, rate in zip(sweep.points, table["boundary.left_m2_per_s"]):
+        assert rate == point.results().history["boundary.left_m2_per_s"][-1]
     case["boundary.left.pressure"] = "200 kPa"
     case["material.rock.porosity"] = 0.1
     with case.simulation() as alone:
