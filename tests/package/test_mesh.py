@@ -82,6 +82,12 @@ def test_a_tunnel(tmp_path, excavated):
     area = 400 - (0 if excavated else 3 * 2 + np.pi * 1.5**2 / 2)
     assert check(made, "top", "bottom").area == pytest.approx(area, rel=1e-3)
     assert made.regions == (("rock", "tunnel") if excavated else ("rock",))
+    assert ("wall" in made.sides) != excavated
+    case = flow_case(made, "top", "bottom")
+    for side in made.sides:
+        case[f"boundary.{side}"] = {"groups": [side], "pressure": 0}
+    del case["boundary.high"], case["boundary.low"]
+    case.check()
 
 
 def test_a_slope(tmp_path):
@@ -90,6 +96,66 @@ def test_a_slope(tmp_path):
     back = 10 / np.tan(np.radians(60))
     assert check(made, "face", "bottom").area == pytest.approx(
         8 * (25 + back) + 10 * 15 + 5 * back)
+
+
+def test_elements_at_fractures_and_at_a_hole_have_sizes_of_their_own(tmp_path):
+    def triangles(**sizes):
+        return mesh.borehole(tmp_path / "m.msh", 2, 2, 0.1, size=0.2,
+                             fractures=[line((0.2, 0.1), (0.9, 0.5))], **sizes).triangles
+
+    plain, coarse = triangles(), triangles(size_at_fractures=0.1)
+    medium, fine = triangles(size_at_fractures=0.05), triangles(size_at_fractures=0.0125)
+    assert plain <= coarse < 1.02 * plain
+    assert 1.02 * plain < medium < 1.3 * plain and fine > 1.5 * plain
+    assert triangles(size_at_fractures=0.05, size_at_hole=0.05) < 0.7 * medium
+    tunnels = [mesh.tunnel(tmp_path / "m.msh", 20, 20, 3, 2, size=2.0, size_at_fractures=near,
+                           fractures=[line((3, 3), (9, 8))]).triangles for near in (1.0, 0.25)]
+    assert tunnels[0] < 0.8 * tunnels[1]
+
+
+@pytest.mark.parametrize("points", [[(0.1, 0), (0.6, 0.2)], [(-0.5, 0.12), (0.6, 0.12)]])
+def test_coarse_elements_at_fractures_do_not_bend_them_to_a_fine_hole(tmp_path, points):
+    made = mesh.borehole(tmp_path / "m.msh", 2, 2, 0.1, size=0.2, fractures=[line(*points)])
+    assert not made.changes
+    assert made.meshed_length == pytest.approx(made.asked_length)
+    check(made, "hole", "left")
+
+
+LOST = {
+    "the same twice": ([((0.2, 0.5), (1.8, 0.5)), ((0.2, 0.5), (1.8, 0.5))], "covered by fracture 0"),
+    "without length": ([((0.2, 0.5), (1.8, 0.5)), ((1.0, 1.0), (1.0, 1.0))], "without length"),
+    "on the edge": ([((0.2, 0.5), (1.8, 0.5)), ((0.0, 0.2), (0.0, 1.8))], "covered by side left"),
+    "on another edge": ([((0.2, 0.5), (1.8, 0.5)), ((2.0, 0.2), (2.0, 1.8))],
+                        "covered by side right"),
+    "just within the edge": ([((0.2, 0.5), (1.8, 0.5)), ((0.01, 0.2), (0.01, 1.8))],
+                             "covered by side left"),
+    "outside": ([((0.2, 0.5), (1.8, 0.5)), ((2.5, 0.2), (3.0, 1.8))], "outside the rock"),
+    "short": ([((0.2, 0.5), (1.8, 0.5)), ((1.0, 1.0), (1.0, 1.01))], "merged to a point"),
+}
+
+
+@pytest.mark.parametrize("name", LOST)
+def test_a_fracture_of_which_nothing_is_left_is_told(tmp_path, name):
+    points, reason = LOST[name]
+    fractures = [line(*points[0], group="kept"), line(*points[1], group="lost")]
+    made = mesh.rectangle(tmp_path / "m.msh", 2, 2, size=0.2, size_at_fractures=0.05,
+                          fractures=fractures)
+    assert made.fractures == ("kept",)
+    assert made.left_out == (1,) and made.lost_groups == ("lost",)
+    assert made.meshed_length == pytest.approx(1.6)
+    first, group, change = made.report().splitlines()[:3]
+    asked = fractures[0].length + fractures[1].length
+    assert first.startswith(f"asked {asked:.4g} m, meshed 1.6 m, 1 of 2 fractures left out; ")
+    assert group == "group lost: none of its fractures is left"
+    assert change.startswith("left out as a whole at (") and change.endswith(reason)
+    assert made.changes[0].fractures == (1,)
+
+
+def test_a_line_that_leaves_the_rock_and_comes_back_keeps_its_parts(tmp_path):
+    made = mesh.rectangle(tmp_path / "m.msh", 2, 2, size=0.2, size_at_fractures=0.05,
+                          fractures=[line((0.5, 1.0), (0.5, 2.5), (1.5, 2.5), (1.5, 1.0))])
+    assert made.asked_length == pytest.approx(4.0) and made.meshed_length == pytest.approx(2.0)
+    assert {change.kind for change in made.changes} == {"left out"} and made.left_out == ()
 
 
 CLOSE = {
@@ -116,7 +182,8 @@ def test_fractures_that_nearly_touch_are_meshed_and_told(tmp_path, name):
     check(made, "left", "right")
     if name != "the same twice":
         assert made.changes
-    assert made.report().splitlines()[1:] == [str(change) for change in made.changes]
+    told = [str(change) for change in made.changes]
+    assert made.report().splitlines()[1 + len(made.lost_groups):] == told
     lines = mesh.arrange(mesh.box(2, 2), fractures, 0.025)
     for change in lines.changes:
         assert change.kind != "points merged" or change.distance < 0.025
@@ -219,6 +286,9 @@ def make(tmp_path, **changes):
 
 @pytest.mark.parametrize("changes, message", [
     ({"size": 0}, "size = 0: not a positive length"),
+    ({"size": "a"}, "size = 'a': not a positive length"),
+    ({"tolerance": 3}, "tolerance = 3: larger than the elements at fractures.*up to 0.5 m"),
+    ({"tolerance": 0.2, "size_at_fractures": 0.1}, "allowed: up to 0.1 m"),
     ({"width": -1}, "width = -1: not a positive length"),
     ({"path": "m.geo"}, "a mesh is written to a file .msh"),
     ({"fine_sides": ["roof"]}, "no side roof; there are: bottom, left, right, top"),
@@ -233,6 +303,16 @@ def test_meshes_that_cannot_be_are_refused(tmp_path, changes, message):
 def test_other_mistakes(tmp_path):
     with pytest.raises(percolith.FileError, match="no folder"):
         make(tmp_path, path=tmp_path / "nowhere" / "m.msh")
+    (tmp_path / "taken.msh").mkdir()
+    with pytest.raises(percolith.FileError, match="taken.msh: cannot write the mesh"):
+        make(tmp_path, path=tmp_path / "taken.msh")
+    with pytest.raises(percolith.MeshError, match="points of a fracture: not pairs of numbers"):
+        mesh.Fracture([(0, 0), (1,)])
+    with pytest.raises(percolith.MeshError, match="corners of an outline: not pairs of numbers"):
+        mesh.Outline([(0, 0), (1,), (1, 1)], ["a"] * 3)
+    for seed in ("a", -1, 1.5, None):
+        with pytest.raises(percolith.MeshError, match="seed = .*a whole number"):
+            mesh.fracture_network(mesh.box(1, 1), mesh.FractureSet(), seed)
     with pytest.raises(percolith.MeshError, match="two points"):
         mesh.Fracture([(0, 0)])
     with pytest.raises(percolith.MeshError, match="shortest <= longest"):

@@ -6,11 +6,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from numbers import Integral
 
 import numpy as np
 
 from percolith.errors import MeshError
-from percolith.mesh.outline import Outline
+from percolith.mesh.outline import Outline, as_places
 
 
 @dataclass
@@ -22,7 +23,7 @@ class Fracture:
     group: str = "fractures"
 
     def __post_init__(self) -> None:
-        self.points = np.asarray(self.points, dtype=float)
+        self.points = as_places(self.points, "points of a fracture")
         if self.points.ndim != 2 or self.points.shape[1:] != (2,) or len(self.points) < 2:
             raise MeshError("a fracture runs through two points (x, y) or more")
         if not np.isfinite(self.points).all():
@@ -100,6 +101,8 @@ def fracture_network(region: Outline, sets: FractureSet | Iterable[FractureSet],
     the rock. Centres are spread evenly, beyond the edges too, so that long fractures reach in from
     outside as they do elsewhere; what lies outside is cut off. The same seed gives the same network.
     Raises MeshError."""
+    if isinstance(seed, bool) or not isinstance(seed, Integral) or seed < 0:
+        raise MeshError(f"seed = {seed!r}: allowed: a whole number that is not negative")
     generator = np.random.default_rng(seed)
     chosen: Sequence[FractureSet] = [sets] if isinstance(sets, FractureSet) else list(sets)
     return [fracture for one in chosen for fracture in _draw(region, one, generator)]

@@ -22,11 +22,12 @@ _DELAUNAY, _FRONTAL = 5, 6  # algorithms of Gmsh; the second likes lattices of e
 
 @dataclass(frozen=True)
 class Sizes:
-    """Sizes of elements, m: far from fractures and fine sides; at both; by how much they grow with
-    the distance, 1; and whether they lie in no order."""
+    """Sizes of elements, m: far from fractures and fine sides; at fractures; at fine sides; by how
+    much they grow with the distance, 1; and whether they lie in no order."""
 
     far: float
-    near: float
+    fractures: float
+    sides: float
     growth: float
     fine_sides: tuple[str, ...]
     irregular: bool = True
@@ -34,9 +35,12 @@ class Sizes:
 
 @dataclass(frozen=True)
 class MadeMesh:
-    """A mesh that was made: its absolute `file`; the names of its `regions`, of its `sides` and of
-    the groups of its `fractures`; its numbers of `points` and `triangles`; the `changes` that were
-    made to fractures."""
+    """A mesh that was made: its absolute `file`; the names of its `regions`, of its `sides`, which
+    boundaries of a case can refer to, and of the groups of its `fractures`; its numbers of `points`
+    and `triangles`; the `changes` that were made to fractures. Of the fractures that were asked
+    for: their number, `asked_count`, and length, `asked_length`, m; the `meshed_length` of lines
+    that the mesh follows, m; the numbers, from 0, of those `left_out` as a whole, and the
+    `lost_groups` of which none is left."""
 
     file: Path
     regions: tuple[str, ...]
@@ -45,11 +49,21 @@ class MadeMesh:
     points: int
     triangles: int
     changes: tuple[Change, ...]
+    asked_count: int = 0
+    asked_length: float = 0.0
+    meshed_length: float = 0.0
+    left_out: tuple[int, ...] = ()
+    lost_groups: tuple[str, ...] = ()
 
     def report(self) -> str:
-        """What was made and what was merged, a line each."""
-        return "\n".join([f"{self.triangles} triangles, {self.points} points in {self.file}",
-                          *map(str, self.changes)])
+        """What was asked for and what was made in the first line; then a line for each group of
+        fractures that is lost, and for each change, those that are left out as a whole first."""
+        made = f"{self.triangles} triangles, {self.points} points in {self.file}"
+        if self.asked_count:
+            made = (f"asked {self.asked_length:.4g} m, meshed {self.meshed_length:.4g} m, "
+                    f"{len(self.left_out)} of {self.asked_count} fractures left out; {made}")
+        lost = [f"group {name}: none of its fractures is left" for name in self.lost_groups]
+        return "\n".join([made, *lost, *map(str, self.changes)])
 
 
 @contextmanager
@@ -93,18 +107,27 @@ def make_mesh(path: str | os.PathLike, outline: Outline, fractures: Sequence[Fra
         try:
             curves = _add_curves(gmsh, lines, sizes)
             surfaces = _add_surfaces(gmsh, outline, lines, curves)
-            sides, groups = _name_curves(gmsh, fractures, lines, curves)
+            sides, groups = _name_curves(gmsh, outline, fractures, lines, curves)
             _set_sizes(gmsh, lines, curves, sizes)
             gmsh.option.setNumber("Mesh.Algorithm", _DELAUNAY if sizes.irregular else _FRONTAL)
             gmsh.model.mesh.generate(2)
             gmsh.option.setNumber("Mesh.Binary", 1)
             gmsh.option.setNumber("Mesh.MshFileVersion", 4.1)
-            gmsh.write(str(file))
+        except MeshError:
+            raise
         except Exception as error:
             raise MeshError(f"{path}: gmsh: {error}") from error
+        try:
+            gmsh.write(str(file))
+        except Exception as error:
+            raise FileError(f"{path}: cannot write the mesh: {error}") from error
         points = len(gmsh.model.mesh.getNodes()[0])
         triangles = sum(len(tags) for tags in gmsh.model.mesh.getElements(2)[1])
-    return MadeMesh(file, surfaces, sides, groups, points, triangles, tuple(lines.changes))
+    asked = dict.fromkeys(fracture.group for fracture in fractures)
+    return MadeMesh(file, surfaces, sides, groups, points, triangles, tuple(lines.changes),
+                    len(fractures), sum(fracture.length for fracture in fractures),
+                    lines.fracture_length, lines.left_out,
+                    tuple(name for name in asked if name not in groups))
 
 
 def _add_curves(gmsh: Any, lines: Arrangement, sizes: Sizes) -> list[int]:
@@ -159,8 +182,9 @@ def _extent(lines: Arrangement, loop: list[tuple[int, int]]) -> float:
     return float(np.prod(places.max(axis=0) - places.min(axis=0)))
 
 
-def _name_curves(gmsh: Any, fractures: Sequence[Fracture], lines: Arrangement,
+def _name_curves(gmsh: Any, outline: Outline, fractures: Sequence[Fracture], lines: Arrangement,
                  curves: list[int]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Names sides and groups in the mesh; returns the sides where the rock ends, and the groups."""
     named: dict[str, list[int]] = {}
     sides = {edge.side for edge in lines.edges if edge.owner == BOUNDARY}
     for curve, edge in zip(curves, lines.edges):
@@ -170,22 +194,36 @@ def _name_curves(gmsh: Any, fractures: Sequence[Fracture], lines: Arrangement,
         named.setdefault(name, []).append(curve)
     for name, members in named.items():
         gmsh.model.addPhysicalGroup(1, members, name=name)
-    return tuple(sorted(sides)), tuple(name for name in named if name not in sides)
+    ends = sides & set(outline.sides) if outline.filling else sides
+    return tuple(sorted(ends)), tuple(name for name in named if name not in sides)
 
 
 def _set_sizes(gmsh: Any, lines: Arrangement, curves: list[int], sizes: Sizes) -> None:
-    fine = [curve for curve, edge in zip(curves, lines.edges)
-            if edge.owner != BOUNDARY or edge.side in sizes.fine_sides]
     for option in ("ExtendFromBoundary", "FromPoints", "FromCurvature"):
         gmsh.option.setNumber(f"Mesh.MeshSize{option}", 0)
     gmsh.option.setNumber("Mesh.MeshSizeMax", sizes.far)
-    if not fine or sizes.near >= sizes.far:
+    owned = list(zip(curves, lines.edges))
+    inner = [curve for curve, edge in owned if edge.owner != BOUNDARY]
+    outer = [curve for curve, edge in owned
+             if edge.owner == BOUNDARY and edge.side in sizes.fine_sides]
+    longest = max(lines.length(edge) for edge in lines.edges)
+    grown = [_add_size(gmsh, members, size, sizes.growth, longest)
+             for members, size in ((inner, sizes.fractures), (outer, sizes.sides))
+             if members and size < sizes.far]
+    if not grown:
         return
+    smallest = gmsh.model.mesh.field.add("Min")
+    gmsh.model.mesh.field.setNumbers(smallest, "FieldsList", grown)
+    gmsh.model.mesh.field.setAsBackgroundMesh(smallest)
+
+
+def _add_size(gmsh: Any, curves: list[int], size: float, growth: float, longest: float) -> int:
+    """A field of sizes that grow with the distance from curves, of which none is longer than
+    `longest`, m."""
     field = gmsh.model.mesh.field
     distance = field.add("Distance")
-    field.setNumbers(distance, "CurvesList", fine)
-    longest = max(lines.length(edge) for edge in lines.edges)
-    field.setNumber(distance, "Sampling", min(2000, 2 + int(2.0 * longest / sizes.near)))
-    size = field.add("MathEval")
-    field.setString(size, "F", f"{sizes.near!r} + {sizes.growth!r} * F{distance}")
-    field.setAsBackgroundMesh(size)
+    field.setNumbers(distance, "CurvesList", curves)
+    field.setNumber(distance, "Sampling", min(2000, 2 + int(2.0 * longest / size)))
+    grown = field.add("MathEval")
+    field.setString(grown, "F", f"{size!r} + {growth!r} * F{distance}")
+    return grown

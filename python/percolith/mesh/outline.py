@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from numbers import Real
+from typing import Any
 
 import numpy as np
 
@@ -27,7 +29,7 @@ class Outline:
     filling: str = ""
 
     def __post_init__(self) -> None:
-        self.corners = np.asarray(self.corners, dtype=float)
+        self.corners = as_places(self.corners, "corners of an outline")
         if self.corners.ndim != 2 or self.corners.shape[1:] != (2,) or len(self.corners) < 3:
             raise MeshError("an outline has three corners (x, y) or more")
         if len(self.sides) != len(self.corners):
@@ -83,8 +85,16 @@ def circle(radius: float, size: float, side: str, centre: tuple[float, float] = 
     return Outline(corners, [side] * count, region=region)
 
 
+def as_places(given: Any, what: str) -> np.ndarray:
+    """An array of numbers. Raises MeshError where it cannot be one."""
+    try:
+        return np.asarray(given, dtype=float)
+    except (TypeError, ValueError):
+        raise MeshError(f"{what}: not pairs of numbers; allowed: (x, y) in m for each") from None
+
+
 def require_positive(**lengths: float) -> None:
     """Raises MeshError for a length that is not a positive number."""
     for name, length in lengths.items():
-        if not 0.0 < length < math.inf:
-            raise MeshError(f"{name} = {length}: not a positive length in m")
+        if not isinstance(length, Real) or not 0.0 < length < math.inf:
+            raise MeshError(f"{name} = {length!r}: not a positive length in m")

@@ -3,8 +3,9 @@
 
 size: of the elements, m. fractures: lines that the mesh follows. size_at_fractures: of the elements
 there, m; `size` where it is not given. growth: by how much elements grow per metre of distance from
-fractures and fine sides, 1. tolerance: what is closer than this is merged, m; half the smaller size
-where it is not given. smallest_angle_deg: lines that meet at less run together until they are apart.
+fractures and fine sides, 1. tolerance: what is closer than this is merged, m; where it is not given
+half the size at fractures, and at fine sides half of theirs; the size at fractures at most.
+smallest_angle_deg: lines that meet at less run together until they are apart.
 irregular: triangles in no order (Delaunay), which cracks that choose their way along edges need;
 False lays them out as evenly as can be, for rock that does not break.
 
@@ -35,19 +36,26 @@ def outline_mesh(path: str | os.PathLike, outline: Outline, *, size: float,
                  size_at_fine_sides: float | None = None) -> MadeMesh:
     """Meshes any outline. fine_sides: names of sides where elements are as small as at fractures,
     of `size_at_fine_sides`, m, where that is given."""
-    near = min(value for value in (size, size_at_fractures, size_at_fine_sides)
-               if value is not None)
-    gap = 0.5 * near if tolerance is None else tolerance
-    require_positive(size=size, size_at_fractures=near, tolerance=gap, growth=growth)
+    require_positive(size=size, growth=growth)
+    near = size if size_at_fractures is None else size_at_fractures
+    require_positive(size_at_fractures=near)
+    fine = near if size_at_fine_sides is None else size_at_fine_sides
+    gap = 0.5 * min(near, size) if tolerance is None else tolerance
+    require_positive(size_at_fine_sides=fine, tolerance=gap)
+    if gap > min(near, size):
+        raise MeshError(f"tolerance = {gap}: larger than the elements at fractures, which would "
+                        f"merge what they can show; allowed: up to {min(near, size):g} m")
     if not 0.0 <= smallest_angle_deg <= 45.0:
         raise MeshError(f"smallest_angle_deg = {smallest_angle_deg}: allowed: 0 to 45 degrees")
     names = {*outline.sides, *(side for hole in outline.holes for side in hole.sides)}
     if unknown := set(fine_sides) - names:
         raise MeshError(f"fine_sides: no side {', '.join(sorted(unknown))}; there are: "
                         f"{', '.join(sorted(names))}")
-    lines = arrange(outline, fractures, gap, smallest_angle_deg)
+    own = {} if tolerance is not None else dict.fromkeys(fine_sides, 0.5 * min(fine, near, size))
+    lines = arrange(outline, fractures, gap, smallest_angle_deg, own)
     return make_mesh(path, outline, fractures, lines,
-                     Sizes(size, near, growth, tuple(fine_sides), irregular))
+                     Sizes(size, min(near, size), min(fine, size), growth, tuple(fine_sides),
+                           irregular))
 
 
 def rectangle(path: str | os.PathLike, width: float, height: float, *,
@@ -109,7 +117,8 @@ def tunnel(path: str | os.PathLike, width: float, height: float, tunnel_width: f
            excavated: bool = False, region: str = "rock", **meshing: Any) -> MadeMesh:
     """A rectangle round the origin with a tunnel there: walls of wall_height and a round roof
     above; sides left, right, bottom, top and wall. excavated: the tunnel is a region of its own,
-    tunnel, that the case takes out later. size_at_wall: of the elements there, m; a twelfth of the
+    tunnel, that the case takes out later; its wall lies within the rock until then, and is no side
+    that a boundary could refer to. size_at_wall: of the elements there, m; a twelfth of the
     width of the tunnel where it is not given. Fractures within the tunnel are left out."""
     require_positive(tunnel_width=tunnel_width, wall_height=wall_height, size=size)
     fine = min(size, tunnel_width / 12.0) if size_at_wall is None else size_at_wall
