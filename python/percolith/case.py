@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from percolith import _core
+from percolith.arguments import in_python, python_words
 from percolith.errors import CaseError, CaseWarning, FileError
 from percolith.run_directory import RunDirectory
 from percolith.simulation import Simulation, start_run
@@ -70,7 +71,8 @@ class Case(Options):
     Values are numbers in SI units, texts with a unit, and whatever else a case file may hold;
     `percolith.describe("material.*.young_modulus")` tells what an option means. Options are
     checked where a case is used, all mistakes at once: CaseError then carries the messages of the
-    command line. What is set here is what `--set` sets there.
+    command line, but for options of it that are arguments here. What is set here is what `--set`
+    sets there.
     """
 
     def __init__(self, options: Mapping[str, Any] | None = None, *,
@@ -167,12 +169,15 @@ class Case(Options):
     def resolved(self) -> dict[str, Any]:
         """Every option with its value in SI, defaults included; texts in place of numbers stand
         only where a text is meant. Raises CaseError."""
-        return tomllib.loads(_core.resolved(**self.source))
+        with python_words():
+            return tomllib.loads(_core.resolved(**self.source))
 
     def validate(self) -> None:
         """Checks the options without mesh and model. Raises CaseError with all mistakes."""
-        for warning in _core.case_warnings(**self.source):
-            warnings.warn(warning, CaseWarning, stacklevel=2)
+        with python_words():
+            told = _core.case_warnings(**self.source)
+        for warning in told:
+            warnings.warn(in_python(warning), CaseWarning, stacklevel=2)
 
     def check(self) -> _core.CheckReport:
         """Builds the model and tells its counts, mesh quality and limits of the time step.

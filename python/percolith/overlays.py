@@ -11,7 +11,7 @@ import numpy as np
 from percolith.crack_fields import CRACK_FIELDS, has_crack_field
 from percolith.flow_fields import FIELDS, flux_size
 from percolith.mechanics_fields import STRESSES, array_of
-from percolith.run_directory import Frame, RunDirectory, RunDirectoryError
+from percolith.run_directory import ArgumentError, Frame, RunDirectory
 
 CRACKS = ("auto", "mode", *CRACK_FIELDS, "thin", "none")
 """What cracks can be coloured by; `thin` draws them dark."""
@@ -47,18 +47,17 @@ class Overlays:
 def check_overlays(run: RunDirectory, overlays: Overlays) -> None:
     """Raises RunDirectoryError where the run has nothing to draw what was asked for from."""
     if overlays.cracks not in CRACKS:
-        raise RunDirectoryError(f"--cracks = {overlays.cracks}: unknown; allowed: "
-                                f"{', '.join(CRACKS)}")
+        raise ArgumentError(f"cracks = {overlays.cracks}: unknown; allowed: {', '.join(CRACKS)}")
     if overlays.crosses and not run.has_mechanics:
-        raise RunDirectoryError("--crosses shows the principal stresses, and this is a run of flow")
+        raise ArgumentError("crosses shows the principal stresses, and this is a run of flow")
     if overlays.arrows and not run.has_flow:
-        raise RunDirectoryError("--arrows shows the Darcy flux, and this is a run of mechanics")
+        raise ArgumentError("arrows shows the Darcy flux, and this is a run of mechanics")
     if overlays.cracks in ("auto", "thin", "none"):
         return
     known = _quantities_of_cracks(run)
     if overlays.cracks not in known:
-        raise RunDirectoryError(f"--cracks = {overlays.cracks}: the cracks of this run have none; "
-                                f"they have: {', '.join(known)}")
+        raise ArgumentError(f"cracks = {overlays.cracks}: the cracks of this run have none; "
+                            f"they have: {', '.join(known)}")
 
 
 def _quantities_of_cracks(run: RunDirectory) -> list[str]:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from numbers import Real
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +22,7 @@ from percolith.mechanics_history import mechanics_history_figure
 from percolith.overlays import Overlays, check_overlays
 from percolith.probe_picture import probes_figure
 from percolith.reference_curves import read_references
-from percolith.run_directory import Frame, RunDirectory, RunDirectoryError
+from percolith.run_directory import ArgumentError, Frame, RunDirectory, RunDirectoryError
 from percolith.saving import save
 from percolith.units import without_unit
 from percolith.view import STILL, View, view_of_frame, view_of_times
@@ -40,7 +41,7 @@ def check_field(run: RunDirectory, field: str | None) -> str | None:
     if field is None:
         return None
     known = fields_of(run)
-    for name in (field, without_unit(field)):
+    for name in (field, without_unit(str(field))):
         if name in known:
             return name
     raise RunDirectoryError(f"{run.path}: no {field} in this run; there are: {', '.join(known)}")
@@ -51,9 +52,9 @@ def check_scale(run: RunDirectory, scale: float | None) -> None:
     if scale is None:
         return
     if not run.has_mechanics:
-        raise RunDirectoryError("--scale is for runs of mechanics, and this is one of flow")
-    if not 0.0 <= scale < float("inf"):
-        raise RunDirectoryError(f"scale = {scale}: allowed: a number that is not negative")
+        raise ArgumentError("scale is for runs of mechanics, and this is one of flow")
+    if not isinstance(scale, Real) or not 0.0 <= scale < float("inf"):
+        raise ArgumentError(f"scale = {scale!r}: allowed: a number that is not negative")
 
 
 def default_field(run: RunDirectory) -> str:

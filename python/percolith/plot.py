@@ -18,7 +18,7 @@ from percolith.flow_fields import FIELDS
 from percolith.mechanics_fields import MECHANICS_FIELDS
 from percolith.overlays import CRACKS, Overlays
 from percolith.pictures import draw
-from percolith.run_directory import RunDirectory, RunDirectoryError
+from percolith.run_directory import ArgumentError, RunDirectory, RunDirectoryError
 from percolith.saving import FORMATS
 from percolith.vtu import VtuError
 from percolith.window import ALLOWED, window_from
@@ -140,6 +140,9 @@ def main(words: list[str] | None = None) -> int:
     except CaseError as error:
         for line in str(error).splitlines():
             print(f"percolith-plot: error: {line}", file=sys.stderr)
+        return 2
+    except ArgumentError as error:
+        print(f"percolith-plot: error: --{error}", file=sys.stderr)
         return 2
     except RunDirectoryError as error:
         print(f"percolith-plot: error: {error}", file=sys.stderr)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from percolith.pictures import check_scale
 from percolith.reporting.page import page_of
-from percolith.run_directory import RunDirectory, RunDirectoryError
+from percolith.run_directory import ArgumentError, RunDirectory, RunDirectoryError
 from percolith.saving import replacing
 from percolith.vtu import VtuError
 
@@ -74,6 +74,9 @@ def main(words: list[str] | None = None) -> int:
     arguments = _arguments(words)
     try:
         print(report(arguments.directory, arguments.output, arguments.time, arguments.scale))
+    except ArgumentError as error:
+        print(f"percolith-report: error: --{error}", file=sys.stderr)
+        return 2
     except RunDirectoryError as error:
         print(f"percolith-report: error: {error}", file=sys.stderr)
         return 2

@@ -11,6 +11,7 @@ import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -29,6 +30,11 @@ EVENT_WORDS = ("mode", "material")
 
 class RunDirectoryError(Error, ValueError):
     """The directory holds no results, or not those asked for."""
+
+
+class ArgumentError(RunDirectoryError):
+    """An argument that means nothing, or not for this run. The message begins with its name, which
+    is that of the option of the command line without its dashes."""
 
 
 @dataclass
@@ -237,6 +243,8 @@ class RunDirectory(RunPictures):
         if not self.times:
             raise RunDirectoryError(f"{self.path}: no frames; "
                                     + self._failure_or("the case sets output.fields = false"))
+        if time is not None and (not isinstance(time, Real) or time != time):
+            raise ArgumentError(f"time = {time!r}: no time; allowed: a number in s")
         chosen = self.times[-1] if time is None else min(self.times, key=lambda t: abs(t - time))
         cracks = self._crack_files.get(chosen)
         matrix = read_vtu(self._matrix_files[chosen])

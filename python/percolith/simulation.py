@@ -16,7 +16,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from percolith import _core
+from percolith.arguments import in_python, numbers, python_words, whole_number
 from percolith.errors import CaseError, CaseWarning
+from percolith.lent_memory import lend, take_back
 from percolith.options import describe
 from percolith.run_directory import (
     EVENT_WORDS,
@@ -36,7 +38,7 @@ def _print(text: str) -> None:
 def _alert(line: str) -> None:
     """Warnings become warnings of Python; why a run stopped is for the one who waits."""
     if "warning: " in line:
-        warnings.warn(line, CaseWarning, stacklevel=3)
+        warnings.warn(in_python(line), CaseWarning, stacklevel=4)
     else:
         print(line, file=sys.stderr)
 
@@ -46,23 +48,25 @@ def start_run(source: Mapping[str, Any], output: str | os.PathLike | None = None
               progress: bool = False) -> _core.Run:
     """Builds the model of a case."""
     _require_threads(threads)
-    return _core.Run.start(**source, output=None if output is None else os.fspath(output),
-                           force=force, threads=threads, quiet=not progress, print=_print,
-                           alert=_alert)
+    with python_words():
+        return _core.Run.start(**source, output=None if output is None else os.fspath(output),
+                               force=force, threads=threads, quiet=not progress, print=_print,
+                               alert=_alert)
 
 
 def reopen_run(folder: str | os.PathLike, threads: int | None = None,
                progress: bool = False) -> _core.Run | None:
     """The run in a folder, at its last checkpoint; None where it has finished."""
     _require_threads(threads)
-    return _core.Run.reopen(os.fspath(folder), threads=threads, quiet=not progress, print=_print,
-                            alert=_alert)
+    with python_words():
+        return _core.Run.reopen(os.fspath(folder), threads=threads, quiet=not progress,
+                                print=_print, alert=_alert)
 
 
 def _require_threads(threads: int | None) -> None:
     # None: as many as OpenMP takes.
-    if threads is not None and threads < 1:
-        raise CaseError(f"error: threads = {threads}: no number of threads; allowed: 1 or more")
+    if threads is not None:
+        whole_number("threads", threads, "number of threads")
 
 
 class Pressures(NamedTuple):
@@ -92,6 +96,7 @@ class Simulation:
         self._run = run
         self._output = output
         self._is_writing = False
+        self._since = 0.0  # times from here on have been reached by the last step at the earliest
 
     def __enter__(self) -> Simulation:
         return self
@@ -106,21 +111,35 @@ class Simulation:
 
     def advance(self, *, until: float | str | None = None, steps: int | None = None,
                 output: bool = False) -> bool:
-        """Makes steps; returns whether the run can go on.
+        """Makes steps; returns whether it made any and the run can go on, so that it is False in
+        the end whatever a loop waits for.
 
-        until: to the first step that ends at this time (s, or a text such as "2 ms") or later.
-        steps: at most so many. output: to the next time of output. Whichever comes first; all to
-        the end of the run where none is given. Raises SolverError, after which the results up to
+        until: to the first step that ends at this time (s, or a text such as "2 ms") or later; no
+        step where the last one has reached it. steps: at most so many. output: to the next time of
+        output. Whichever comes first; all to the end of the run where none is given. Raises
+        CaseError for a time that has passed before, and SolverError, after which the results up to
         the last output are kept.
         """
         if self._is_writing:
             raise CaseError("error: advance: its pressures are being written to; allowed: after the "
                             "block of writing()")
         time = math.inf if until is None else _seconds(until)
-        if steps is not None and steps < 1:
-            raise CaseError(f"error: steps = {steps}: no number of steps; allowed: 1 or more")
-        most = 2**62 if steps is None else int(steps)
-        return self._run.advance(time, most, output)
+        if time < self._since and not math.isclose(time, self._since, rel_tol=1e-9):
+            raise CaseError(f"error: until = {until}: the simulation is at {self.time:.9g} s "
+                            "already; allowed: a later time")
+        most = 2**62 if steps is None else whole_number("steps", steps, "number of steps")
+        return self._go(time, most, output)
+
+    def _go(self, until: float, steps: int, output: bool) -> bool:
+        before = self.steps, self.time
+        try:
+            with python_words():
+                more = self._run.advance(until, steps, output)
+        finally:
+            has_moved = (self.steps, self.time) != before
+            if has_moved:
+                self._since = min(until, self.time)
+        return more and has_moved
 
     def run(self, *, on_output: Callable[[Simulation], object] | None = None,
             on_step: Callable[[Simulation], object] | None = None) -> None:
@@ -138,7 +157,8 @@ class Simulation:
                 if not more:
                     return
                 steps = self.steps
-                more = self.advance(steps=1 if on_step else None, output=on_output is not None)
+                self._go(math.inf, 1 if on_step else 2**62, on_output is not None)
+                more = not self.is_over
                 if on_step and self.steps > steps:
                     on_step(self)
         except BaseException as error:
@@ -266,12 +286,14 @@ class Simulation:
         Arrays that were taken before show the model without them. Raises CaseError for values
         that are not finite or turn a triangle over, once the run has begun, for a rock with flow,
         and for a run that writes results, since its checkpoints would not tell of such a start."""
+        self._require_going("set_motion")
         self._run.start_from(self._vertex_vectors("displacement", displacement),
                              self._vertex_vectors("velocity", velocity))
 
     def _vertex_vectors(self, name: str, given: Any) -> np.ndarray:
         shape = self.mesh.vertices.shape
-        values = np.zeros(0) if given is None else np.ascontiguousarray(given, dtype=float)
+        values = np.zeros(0) if given is None else np.ascontiguousarray(
+            numbers(name, given, f"an array {shape}"))
         if given is not None and values.shape != shape:
             raise CaseError(f"error: {name}: an array of shape {values.shape}; allowed: {shape}")
         return values.ravel()
@@ -283,24 +305,29 @@ class Simulation:
         know of it and the log tells it; `resolved.toml` keeps what the run began with. Raises
         CaseError for another option, a value that cannot be, and a condition that presses on the
         rock as well (`pressurised`, excavations)."""
-        if isinstance(value, str):
-            value = quantity(value, describe(option).unit)
-        self._run.set_condition(option, float(value))
+        self._require_going("set_condition")
+        if not isinstance(option, str):
+            raise CaseError(f"error: {option!r}: no option; allowed: its dotted path as a text")
+        unit = describe(option).unit if isinstance(value, str) else "the unit of the option"
+        self._run.set_condition(option, quantity(value, unit))
 
     def set_pressure(self, pressure: Any) -> None:
-        """Gives the pores pressures, Pa: one number, an array (vertices,), or one (triangles, 3)
-        where the pressure jumps across cracks. Nodes become full. Contents follow; the fluid that
+        """Gives the pores pressures, Pa: one number, or a text with a unit, an array (vertices,),
+        or one (triangles, 3) where the pressure jumps across cracks. Nodes become full. Contents follow; the fluid that
         comes or goes is no part of the mass balance. The rock of a coupled run feels the change
         from the next step on. Raises CaseError for values that are not finite or below the
         cavitation pressure, that differ within a pore node, or where the run takes none: mechanics
-        of dry rock, and a quasi-static run once it has begun."""
+        of dry rock, a quasi-static run once it has begun, and one that is over or closed."""
+        self._require_going("set_pressure")
         self._run.set_pore_pressure(self._slots(pressure))
 
     def set_crack_pressure(self, pressure: Any) -> None:
-        """Gives the open crack nodes pressures, Pa: one number or an array (vertices,), of which
-        those of other vertices have no effect. Raises as `set_pressure` does."""
+        """Gives the open crack nodes pressures, Pa: one number, or a text with a unit, or an array
+        (vertices,), of which those of other vertices have no effect. Raises as `set_pressure`
+        does."""
+        self._require_going("set_crack_pressure")
         count = len(self.mesh.vertices)
-        values = np.asarray(pressure, dtype=float)
+        values = _pressures(pressure)
         if values.shape not in ((), (count,)):
             raise CaseError(f"error: pressure: an array of shape {values.shape}; allowed: a "
                             f"number, or ({count},), one for each vertex")
@@ -314,25 +341,36 @@ class Simulation:
                 fluid.pressure[...] += 1e5
                 fluid.crack_pressure[simulation.flow.crack_nodes] = 2e6
 
+        Read-only again after the block: both arrays, and what slicing, reshaping or transposing
+        makes of them; not what `np.asarray` or a memoryview does, which is not to be kept.
+
         At the end of the block what has changed becomes the state: all corners of a pore node must
         have the same pressure, nodes that changed become full, and contents follow as for
         `set_pressure`. Where that cannot be, or the block raises, all is as it was before. Raises
         as `set_pressure` does."""
+        self._require_going("writing")
         pores, cracks = self._run.pressure_memory()
         before = pores.copy(), cracks.copy()
+        lent = lend(pores), lend(cracks)
         self._is_writing = True
         try:
-            yield Pressures(pores.reshape(-1, 3, 8).transpose(0, 2, 1), cracks)
+            yield Pressures(lent[0].reshape(-1, 3, 8).transpose(0, 2, 1), lent[1])
         finally:
             self._is_writing = False
             wanted = pores.copy(), cracks.copy()
             pores[:], cracks[:] = before
+            take_back(lent[0], pores)
+            take_back(lent[1], cracks)
         self._run.change_pressures(wanted[0], before[0], wanted[1], before[1])
+
+    def _require_going(self, what: str) -> None:
+        if self.is_over:
+            raise CaseError(f"error: {what}: the run is over or closed; allowed: before its end")
 
     def _slots(self, given: Any) -> np.ndarray:
         triangles = self.mesh.triangles
         vertices = len(self.mesh.vertices)
-        values = np.asarray(given, dtype=float)
+        values = _pressures(given)
         if values.shape == (vertices,):
             values = values[triangles]
         elif values.shape not in ((), triangles.shape):
@@ -355,8 +393,20 @@ class Simulation:
 
 def quantity(value: float | str, unit: str) -> float:
     """A number, or a text with a unit, in the SI unit named: `quantity("20 GPa", "Pa")` is 2e10.
-    Raises CaseError where the unit does not fit."""
-    return _core.quantity(value, unit) if isinstance(value, str) else float(value)
+    Raises CaseError where the unit does not fit, and for what is no number."""
+    if isinstance(value, str):
+        return _core.quantity(value, unit)
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise CaseError(f"error: {value!r}: no number; allowed: a number in {unit}, or a text with "
+                        "a unit") from None
+
+
+def _pressures(given: Any) -> np.ndarray:
+    if isinstance(given, str):
+        return np.asarray(quantity(given, "Pa"))
+    return numbers("pressure", given, "a number in Pa, a text such as \"2 MPa\", or an array")
 
 
 def _seconds(time: float | str) -> float:

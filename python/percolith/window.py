@@ -9,7 +9,7 @@ import numpy as np
 
 from percolith.deformation import can_deform, crack_faces, deformed_points
 from percolith.rigid_bodies import part_of
-from percolith.run_directory import Frame, RunDirectoryError
+from percolith.run_directory import ArgumentError, Frame
 from percolith.vtu import Grid
 
 _HALF_PIXEL = 1 / 1400  # of the window
@@ -21,7 +21,7 @@ def window_from(words: list) -> np.ndarray:
     the reason where it is none."""
     try:
         left, right, low, high = (float(word) for word in words)
-    except ValueError:
+    except (TypeError, ValueError):
         raise ValueError("not four numbers") from None
     if not all(map(math.isfinite, (left, right, low, high))):
         raise ValueError("not finite")
@@ -35,11 +35,11 @@ def as_window(window) -> np.ndarray | None:
     there is none. Raises RunDirectoryError where these mean nothing."""
     if window is None:
         return None
-    ends = np.asarray(window)
     try:
+        ends = np.asarray(window)
         return window_from((ends.T if ends.shape == (2, 2) else ends).ravel().tolist())
     except ValueError as error:
-        raise RunDirectoryError(f"window = {window}: {error}; allowed: {ALLOWED}") from error
+        raise ArgumentError(f"window = {window}: {error}; allowed: {ALLOWED}") from error
 
 
 def meets(corners: np.ndarray, window: np.ndarray) -> np.ndarray:
@@ -88,5 +88,5 @@ def check_shows(count: int, window: np.ndarray, whole: np.ndarray) -> None:
     (left, low), (right, high) = window
     shown = f"{left:g} {right:g} {low:g} {high:g}"
     (left, low), (right, high) = whole
-    raise RunDirectoryError(f"--window = {shown}: no rock there; the rock reaches from x = "
-                            f"{left:.6g} to {right:.6g} m and from y = {low:.6g} to {high:.6g} m")
+    raise ArgumentError(f"window = {shown}: no rock there; the rock reaches from x = {left:.6g} to "
+                        f"{right:.6g} m and from y = {low:.6g} to {high:.6g} m")

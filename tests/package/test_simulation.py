@@ -53,14 +53,48 @@ def test_advance_stops_where_it_is_told(strip):
     simulation = strip.simulation()
     assert simulation.advance(until="4.5 ms") and simulation.time == pytest.approx(0.005)
     assert simulation.advance(until=0.0051) and simulation.time == pytest.approx(0.006)
-    assert simulation.advance(until=0.001) and simulation.time == pytest.approx(0.006)
+    assert not simulation.advance(until=0.0051) and simulation.time == pytest.approx(0.006)
+    assert not simulation.advance(until=0.0055) and simulation.steps == 6
     assert simulation.advance(output=True) and simulation.time == pytest.approx(0.01)
     assert simulation.advance(steps=2) and simulation.steps == 12
     assert not simulation.advance() and simulation.time == simulation.end
     assert not simulation.advance() and simulation.is_over
 
 
-@pytest.mark.parametrize("wrong", [{"steps": 0}, {"until": "3 MPa"}, {"until": float("nan")}])
+def test_a_loop_until_a_time_ends(strip, coupled):
+    for case, until in [(strip, "2.5 ms"), (strip, "3 ms"), (strip, "1 s"), (coupled, "3 us")]:
+        simulation, calls = case.simulation(), 0
+        while simulation.advance(until=until):
+            calls += 1
+            assert calls == 1
+        assert simulation.is_over == (until == "1 s")
+        assert simulation.time >= min(percolith.quantity(until, "s"), simulation.end) * (1 - 1e-9)
+    simulation = strip.simulation()
+    times = [simulation.time for wanted in np.arange(1, 9) * 0.3e-3
+             if simulation.advance(until=wanted)]
+    assert times == pytest.approx([0.001, 0.002, 0.003])
+
+
+def test_a_time_that_has_passed_is_refused(strip):
+    simulation = strip.simulation()
+    assert not simulation.advance(until=0)
+    with pytest.raises(percolith.CaseError, match="until = -1: the simulation is at 0 s already"):
+        simulation.advance(until=-1)
+    simulation.advance(steps=5)
+    assert not simulation.advance(until="5 ms")
+    for past in ("1 ms", 0, 0.0049):
+        with pytest.raises(percolith.CaseError, match="the simulation is at 0.005 s already"):
+            simulation.advance(until=past)
+    assert simulation.steps == 5
+    simulation.advance()
+    with pytest.raises(percolith.CaseError, match="0.02 s already"):
+        simulation.advance(until="1 ms")
+
+
+@pytest.mark.parametrize("wrong", [
+    {"steps": 0}, {"steps": 2.5}, {"steps": "2"}, {"steps": True}, {"until": "3 MPa"},
+    {"until": float("nan")}, {"until": "abc"}, {"until": [1.0]},
+])
 def test_a_pause_that_is_none_is_refused(strip, wrong):
     with pytest.raises(percolith.CaseError, match="error: "):
         strip.simulation().advance(**wrong)
@@ -227,6 +261,71 @@ def test_pressures_are_written_in_place(coupled):
     assert simulation.state_hash == given.state_hash
     simulation.advance(steps=3)
     assert abs(simulation.mass_balance["relative_error"]) < 1e-9
+
+
+def test_what_a_block_leaves_behind_cannot_be_written_to(strip):
+    simulation = strip.simulation()
+    simulation.advance(steps=3)
+    kept = []
+    with simulation.writing() as fluid:
+        part = fluid.pressure[0]
+        part += 1.0
+        inner = part.T
+        inner *= 1.0
+        kept += [fluid.pressure, fluid.crack_pressure, part, inner,
+                 fluid.crack_pressure.reshape(1, -1), fluid.pressure[0][1:].swapaxes(0, 1), fluid.pressure.base]
+        own = fluid.pressure + 1.0
+        fluid.pressure[0] -= 1.0
+    with pytest.raises(KeyError), simulation.writing() as fluid:
+        kept.append(fluid.pressure)
+        raise KeyError
+    before = simulation.state_hash
+    for array in kept:
+        with pytest.raises(ValueError, match="read-only"):
+            array[...] = 7.0
+    own[...] = 7.0
+    assert type(own) is np.ndarray and type(own.max()) is np.float64
+    assert simulation.state_hash == before
+    simulation.advance()
+    assert abs(simulation.mass_balance["relative_error"]) < 1e-12
+
+
+@pytest.mark.parametrize("ended", ["closed", "at its end"])
+def test_a_run_that_is_over_takes_no_changes(strip, tmp_path, ended):
+    simulation = strip.simulation(tmp_path / "results")
+    if ended == "closed":
+        simulation.advance(steps=2)
+        simulation.close()
+    else:
+        simulation.advance()
+    before = simulation.state_hash
+    for change in (lambda: simulation.set_pressure(1e5), lambda: simulation.set_crack_pressure(1e5),
+                   lambda: simulation.writing().__enter__(),
+                   lambda: simulation.set_condition("boundary.left.pressure", 1.0)):
+        with pytest.raises(percolith.CaseError, match="the run is over or closed"):
+            change()
+    assert simulation.state_hash == before
+
+
+def test_pressures_with_a_unit(strip):
+    simulation, other = strip.simulation(), strip.simulation()
+    simulation.set_pressure("0.2 MPa")
+    simulation.set_crack_pressure("0.2 MPa")
+    other.set_pressure(2e5)
+    assert simulation.state_hash == other.state_hash
+
+
+def test_what_is_no_array_of_numbers_is_refused(strip, mechanics):
+    simulation = strip.simulation()
+    for wrong in ("3 s", [[1.0], [1.0, 2.0]], ["2 MPa"], object()):
+        for change in (simulation.set_pressure, simulation.set_crack_pressure):
+            with pytest.raises(percolith.CaseError, match="allowed: "):
+                change(wrong)
+    for wrong in ([1.0, 2.0], None):
+        with pytest.raises(percolith.CaseError, match="no number; allowed: "):
+            simulation.set_condition("boundary.left.pressure", wrong)
+    with pytest.raises(percolith.CaseError, match="displacement: no array of numbers"):
+        mechanics.simulation().set_motion(displacement=[[1.0], [1.0, 2.0]])
 
 
 def test_what_is_not_changed_in_place_keeps_its_bits(strip):

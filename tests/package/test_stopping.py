@@ -89,8 +89,10 @@ def test_a_run_that_cannot_go_on_raises_a_solver_error(strip, tmp_path, program)
 
 def test_results_are_not_replaced_unless_forced(strip, tmp_path):
     strip.run(tmp_path / "results")
-    with pytest.raises(percolith.CaseError, match="--force"):
+    with pytest.raises(percolith.CaseError, match="output = .*: force=True to replace them, or "
+                       "another output") as caught:
         strip.run(tmp_path / "results")
+    assert caught.value.problems[0].key == "output" and "--" not in str(caught.value)
     strip.run(tmp_path / "results", force=True)
 
 
@@ -139,11 +141,11 @@ def test_one_thread_at_a_time(strip):
 
 
 def test_nothing_to_go_on_with(tmp_path):
-    with pytest.raises(percolith.CaseError, match="--resume"):
+    with pytest.raises(percolith.CaseError, match="folder = .*: the folder holds no run"):
         percolith.resume(tmp_path)
 
 
-@pytest.mark.parametrize("threads", [0, -1])
+@pytest.mark.parametrize("threads", [0, -1, "2", 1.5, True])
 def test_a_number_of_threads_that_is_none(strip, threads):
     with pytest.raises(percolith.CaseError, match="threads = "):
         strip.simulation(threads=threads)

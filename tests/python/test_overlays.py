@@ -149,13 +149,29 @@ def test_what_a_run_of_flow_lacks(tmp_path, capsys):
     assert plot.main([str(tmp_path), "--crosses"]) == 2
     assert "--crosses shows the principal stresses, and this is a run of flow" in (
         capsys.readouterr().err)
+    with pytest.raises(RunDirectoryError, match="^crosses shows the principal stresses"):
+        RunDirectory(tmp_path).plot(crosses=True)
+    with pytest.raises(RunDirectoryError, match="^scale is for runs of mechanics"):
+        RunDirectory(tmp_path).plot(scale=2.0)
+
+
+@pytest.mark.parametrize("wrong, message", [
+    ({"time": "abc"}, "time = 'abc': no time; allowed: a number in s"),
+    ({"time": float("nan")}, "time = nan: no time"), ({"scale": "x"}, "scale = 'x': allowed: "),
+    ({"scale": -1}, "scale = -1: allowed: "), ({"window": [1, [2]]}, "window = .*; allowed: X0 X1"),
+    ({"window": (1, 2, None, 3)}, "window = .*: not four numbers"), ({"field": 3}, "no 3 in this"),
+    ({"window": (8, 9, 8, 9)}, "^window = 8 9 8 9: no rock there"),
+])
+def test_arguments_that_mean_nothing_name_themselves(block, wrong, message):
+    with pytest.raises(RunDirectoryError, match=message):
+        block.plot(**wrong)
 
 
 def test_an_unknown_quantity_of_cracks(block, capsys):
     with pytest.raises(SystemExit):
         plot.main([str(block.path), "--cracks", "colour"])
     assert "invalid choice: 'colour' (choose from" in capsys.readouterr().err
-    with pytest.raises(RunDirectoryError, match="--cracks = colour: unknown; allowed: auto, mode"):
+    with pytest.raises(RunDirectoryError, match="^cracks = colour: unknown; allowed: auto, mode"):
         block.plot(cracks="colour")
 
 
