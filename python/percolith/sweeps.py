@@ -8,6 +8,9 @@ instance of a job array:
     python -m percolith.sweeps FOLDER             runs all that is left, in processes
     python -m percolith.sweeps FOLDER --point 3   runs one point
     python -m percolith.sweeps FOLDER --list      tells how far each is
+
+Ctrl-C and SIGTERM, which a batch system sends before the time runs out, end it after the present
+steps: results and checkpoints are kept, and the same command goes on with them.
 """
 
 from __future__ import annotations
@@ -19,23 +22,28 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from percolith import errors
-from percolith.case import Case
-from percolith.errors import CaseError, CaseWarning, Error, FileError
+from percolith.arguments import whole_number
+from percolith.case import Case, Options
+from percolith.errors import CaseError, CaseWarning, Error, FileError, Problem
 from percolith.run_directory import RunDirectory, Table
-from percolith.simulation import resume
+from percolith.simulation import resume, start_run
 from percolith.toml_text import plain
 
 _PLAN = "sweep.json"
+_OF_THE_MESH = ("file", "element_size", "groups", "regions", "point", "points")
+"""Names of options that only the mesh can tell to be wrong."""
 
 
 @dataclass(frozen=True)
@@ -48,11 +56,39 @@ class Point:
 
     @property
     def state(self) -> str:
-        """finished, failed, interrupted, or waiting: not begun, killed or at work."""
+        """finished, failed, at its start or later, interrupted, or waiting: not begun, killed or
+        at work."""
+        return self.outcome or ("failed" if self.failure else "waiting")
+
+    @property
+    def outcome(self) -> str:
+        """What its results say of how it ended; "" where there are none yet."""
+        return str(_read(self.folder / "summary.json").get("outcome", ""))
+
+    @property
+    def failure(self) -> Error | None:
+        """Why it failed; None where it did not."""
+        if (told := _read(self._failure_file)):
+            return _error_from(told)
+        summary = _read(self.folder / "summary.json")
+        if summary.get("outcome") != "failed":
+            return None
+        return errors.SolverError(f"point {self.number}: {summary.get('reason', '')}")
+
+    @property
+    def _failure_file(self) -> Path:
+        # Beside the folder of results, which may not be there, or not be ours.
+        return self.folder.parent / f"{self.folder.name}.failure.json"
+
+    def _note_failure(self, error: Error | None) -> None:
+        """Keeps the error, or forgets that of an earlier attempt."""
         try:
-            return json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))["outcome"]
-        except (OSError, ValueError, KeyError):
-            return "waiting"
+            if error is None:
+                self._failure_file.unlink(missing_ok=True)
+            else:
+                self._failure_file.write_text(json.dumps(_as_plain(error)), encoding="utf-8")
+        except OSError:
+            pass  # What the point itself raises is of more use.
 
     def results(self) -> RunDirectory:
         """Opens the results. Raises RunDirectoryError where there are none."""
@@ -87,24 +123,34 @@ class Sweep:
 
     def run_point(self, number: int, *, threads: int | None = None) -> RunDirectory:
         """Runs one point, or what is left of it, and opens its results. Raises CaseError,
-        SolverError and FileError; a run that failed is begun again."""
+        SolverError and FileError, whose messages name the point, and which `failure` of the point
+        keeps; a run that failed is begun again."""
         case = self.case(number)
         point = self.points[number]
-        if point.state == "finished":
+        if point.outcome == "finished":
             return point.results()
-        if point.state != "failed" and (point.folder / "checkpoint.bin").is_file():
-            return resume(point.folder, threads=threads)
-        return case.run(point.folder, force=True, threads=threads)
+        try:
+            if point.outcome != "failed" and (point.folder / "checkpoint.bin").is_file():
+                run = resume(point.folder, threads=threads)
+            else:
+                run = case.run(point.folder, force=True, threads=threads)
+        except Error as error:
+            named = _named(error, number)
+            if not _is_at_work(error):
+                point._note_failure(named)
+            raise named from error
+        point._note_failure(None)
+        return run
 
     def run(self, *, processes: int | None = None, threads: int = 1) -> dict[int, Error]:
         """Runs all that is left, in so many processes of so many threads each; as many processes as
         there are processors for when None. Returns the errors of the points that failed, by their
         numbers; the others are run all the same. After Ctrl-C nothing new is begun, and the next
         call goes on."""
+        threads = whole_number("threads", threads, "number of threads")
         if processes is None:
             processes = max(1, len(os.sched_getaffinity(0)) // threads)
-        if processes < 1:
-            raise CaseError(f"error: processes = {processes}: allowed: 1 or more")
+        processes = whole_number("processes", processes, "number of processes")
         left = [point.number for point in self.points if point.state != "finished"]
         working: set[subprocess.Popen] = set()
         with ThreadPoolExecutor(processes) as pool:
@@ -144,16 +190,47 @@ def _run_elsewhere(folder: Path, number: int, threads: int,
     if process.returncode == 0:
         return None
     try:
-        failure = json.loads(out)
-        return getattr(errors, failure["error"])(failure["message"])
-    except (ValueError, KeyError, AttributeError):
-        return Error(f"the process of point {number} ended with exit code {process.returncode}: "
+        return _error_from(json.loads(out))
+    except (ValueError, KeyError, TypeError, AttributeError):
+        return Error(f"point {number}: its process ended with exit code {process.returncode}: "
                      f"{told.strip()[-1000:]}")
+
+
+def _read(file: Path) -> dict[str, Any]:
+    """What a JSON file holds; empty where there is none that can be read."""
+    try:
+        told = json.loads(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return told if isinstance(told, dict) else {}
+
+
+def _as_plain(error: Error) -> dict[str, Any]:
+    problems = [asdict(problem) for problem in getattr(error, "problems", ())]
+    return {"error": type(error).__name__, "message": str(error), "problems": problems}
+
+
+def _error_from(told: Mapping[str, Any]) -> Error:
+    kind = getattr(errors, told["error"], Error)
+    if issubclass(kind, CaseError):
+        return kind(told["message"], [Problem(**problem) for problem in told["problems"]])
+    return kind(told["message"])
+
+
+def _named(error: Error, number: int) -> Error:
+    """The same error with the point before each line of its message."""
+    lines = "\n".join(f"point {number}: {line}" for line in str(error).splitlines())
+    return type(error)(lines, error.problems) if isinstance(error, CaseError) else type(error)(lines)
+
+
+def _is_at_work(error: Error) -> bool:
+    """Whether a point could not be run because another process does."""
+    return any("another run" in problem.reason for problem in getattr(error, "problems", ()))
 
 
 def _row(point: Point) -> dict[str, Any]:
     row: dict[str, Any] = {"point": point.number, "state": point.state, **point.options}
-    if point.state != "waiting":
+    if point.outcome:
         summary = point.results().summary
         parts = [summary, summary.get("mechanics", {}), summary.get("mass_balance", {})]
         row |= {name: value for part in parts for name, value in part.items()
@@ -186,8 +263,10 @@ def sweep(case: Case, options: Mapping[str, Sequence[Any]] | Sequence[Mapping[st
 
     options: lists of values by dotted path, all combinations of which are run; or a list of
     dictionaries, each with the options of one point. All points are checked before anything is
-    written. Raises CaseError for options that cannot be, and where the folder holds another sweep;
-    FileError where it cannot be written.
+    written: options, and for each different mesh, with the groups, regions and places that a point
+    asks of it, the model as a whole. Raises CaseError for options that cannot be, with the number
+    of the point, and where the folder holds another sweep; FileError where a mesh cannot be read or
+    the sweep be written.
 
         done = percolith.sweep(case, {"material.rock.permeability": [1e-15, 1e-14]}, "study")
         done.run()
@@ -196,17 +275,39 @@ def sweep(case: Case, options: Mapping[str, Sequence[Any]] | Sequence[Mapping[st
     points = _points(options)
     if not points:
         raise CaseError("error: a sweep without points; allowed: one value or more for each option")
-    for point in points:
+    seen: set[str] = set()
+    for number, point in enumerate(points):
         other = case.copy()
-        for key, value in point.items():
-            other[key] = value
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", CaseWarning)
-            other.validate()
+        try:
+            for key, value in point.items():
+                other[key] = value
+            _check(other, seen)
+        except Error as error:
+            raise _named(error, number) from error
     plan = {"case": case.to_toml(), "directory": str(case.file.absolute().parent),
             "points": points}
     _write_plan(Path(folder), plan)
     return Sweep(folder)
+
+
+def _check(case: Case, seen: set[str]) -> None:
+    """Checks the options, and builds the model once for all that is alike in what needs the mesh;
+    `seen` holds what has been built."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", CaseWarning)
+        case.validate()
+        asked = json.dumps(sorted(_of_the_mesh(case, "")))
+        if asked not in seen:
+            start_run(case.source)
+            seen.add(asked)
+
+
+def _of_the_mesh(options: Options, path: str) -> Iterator[tuple[str, str]]:
+    for name, value in options.items():
+        if isinstance(value, Options):
+            yield from _of_the_mesh(value, f"{path}.{name}")
+        elif name in _OF_THE_MESH:
+            yield f"{path}.{name}", repr(value)
 
 
 def _write_plan(folder: Path, plan: dict[str, Any]) -> None:
@@ -239,9 +340,48 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
+class _Terminated(KeyboardInterrupt):
+    """SIGTERM asks for what Ctrl-C does."""
+
+
+@contextmanager
+def _heeding_sigterm() -> Iterator[None]:
+    def end(number: int, frame: object) -> None:
+        signal.signal(signal.SIGTERM, signal.SIG_IGN)  # Once is enough.
+        raise _Terminated
+
+    if threading.current_thread() is not threading.main_thread():
+        yield  # Signals are not for other threads.
+        return
+    former = signal.signal(signal.SIGTERM, end)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, former)
+
+
 def main(words: list[str] | None = None) -> int:
-    """Runs the command; returns 0, or 2 where a point or an argument was wrong."""
+    """Runs the command; returns 0, 2 where a point or an argument was wrong, and 128 and the number
+    of the signal where one ended it."""
     arguments = _parser().parse_args(words)
+    try:
+        with _heeding_sigterm():
+            return _run(arguments)
+    except KeyboardInterrupt as interrupt:
+        ending = signal.SIGTERM if isinstance(interrupt, _Terminated) else signal.SIGINT
+    _tell(Error(f"{arguments.folder}: ended by {ending.name}; results and checkpoints are kept, and "
+                "the same command goes on with them"), arguments)
+    return 128 + ending
+
+
+def _tell(error: Error, arguments: argparse.Namespace) -> None:
+    if arguments.errors == "json":
+        print(json.dumps(_as_plain(error)))
+    else:
+        print(error, file=sys.stderr)
+
+
+def _run(arguments: argparse.Namespace) -> int:
     try:
         chosen = Sweep(arguments.folder)
         if arguments.list:
@@ -251,15 +391,13 @@ def main(words: list[str] | None = None) -> int:
         if arguments.point is not None:
             chosen.run_point(arguments.point, threads=arguments.threads)
             return 0
-        failed = chosen.run(processes=arguments.processes, threads=arguments.threads or 1)
+        threads = 1 if arguments.threads is None else arguments.threads
+        failed = chosen.run(processes=arguments.processes, threads=threads)
     except Error as error:
-        if arguments.errors == "json":
-            print(json.dumps({"error": type(error).__name__, "message": str(error)}))
-        else:
-            print(error, file=sys.stderr)
+        _tell(error, arguments)
         return 2
-    for number, error in failed.items():
-        print(f"point {number}: {error}", file=sys.stderr)
+    for error in failed.values():
+        print(error, file=sys.stderr)
     return 2 if failed else 0
 
 

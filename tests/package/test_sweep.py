@@ -3,6 +3,7 @@
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -13,6 +14,8 @@ import time
 import numpy as np
 import percolith
 import pytest
+from conftest import ROOT
+from percolith.simulation import reopen_run
 from percolith.sweeps import main
 
 OPTIONS = {"boundary.left.pressure": [1e5, "200 kPa"], "material.rock.porosity": [0.1, 0.2]}
@@ -89,6 +92,66 @@ def test_mistakes_are_told_before_anything_is_written(case, tmp_path):
     assert not (tmp_path / "study").exists()
 
 
+def test_meshes_and_their_groups_are_checked_beforehand(case, tmp_path):
+    here = case.file.parent / case["mesh.file"]
+    for options, message in [
+            ({"mesh.file": [str(here), "nowhere.msh"]}, "point 1: .*nowhere.msh"),
+            ({"boundary.left.groups": [["left"], ["nothing"]]}, "point 1: .*nothing"),
+            ([{}, {"probe.far": {"point": [99.0, 99.0]}}], "point 1: .*probe.far"),
+            ([{}, {}, {"time.end": "3 MPa"}], "point 2: error: time.end")]:
+        with pytest.raises((percolith.CaseError, percolith.FileError), match=message):
+            percolith.sweep(case, options, tmp_path / "study")
+    assert not (tmp_path / "study").exists()
+
+
+def test_a_mesh_is_read_once_for_all_points_that_ask_the_same_of_it(case, tmp_path, monkeypatch):
+    built = []
+    monkeypatch.setattr("percolith.sweeps.start_run", built.append)
+    percolith.sweep(case, {"material.rock.porosity": np.linspace(0.1, 0.2, 5),
+                           "probe.there": [{"point": [0.5, 0.1]}, {"point": [0.6, 0.1]}]},
+                    tmp_path / "study")
+    assert len(built) == 2
+
+
+@pytest.mark.parametrize("alone", [True, False])
+def test_a_point_that_fails_at_its_start_is_told(case, tmp_path, capsys, alone):
+    shutil.copy(case.file.parent / case["mesh.file"], tmp_path / "own.msh")
+    sweep = percolith.sweep(case, {"mesh.file": [case.file.parent / case["mesh.file"],
+                                                 tmp_path / "own.msh"]}, tmp_path / "study")
+    good = (tmp_path / "own.msh").read_bytes()
+    (tmp_path / "own.msh").write_bytes(good.replace(b'"left"', b'"lost"'))
+    if alone:
+        with pytest.raises(percolith.CaseError) as caught:
+            sweep.run_point(1)
+        error = caught.value
+    else:
+        failed = sweep.run(processes=1)
+        assert list(failed) == [1]
+        error = failed[1]
+    assert str(error).startswith("point 1: ") and "left" in str(error)
+    assert isinstance(error, percolith.CaseError) and error.problems[0].key
+    point = sweep.points[1]
+    assert point.state == "failed" and sweep.table()["state"][1] == "failed"
+    assert str(point.failure) == str(error) and point.failure.problems == error.problems
+    assert alone or np.isnan(sweep.table()["end_time_s"][1])
+    assert main([str(sweep.folder), "--list"]) == 0
+    assert "1 failed " in capsys.readouterr().out
+    assert main([str(sweep.folder), "--point", "1"]) == 2
+    assert capsys.readouterr().err.count("point 1: ") == 1
+
+    (tmp_path / "own.msh").write_bytes(good)
+    sweep.run_point(1)
+    assert sweep.points[1].state == "finished" and sweep.points[1].failure is None
+
+
+def test_a_point_at_work_elsewhere_has_not_failed(case, tmp_path):
+    sweep = percolith.sweep(case, OPTIONS, tmp_path / "study")
+    with sweep.case(0).simulation(sweep.points[0].folder):
+        with pytest.raises(percolith.CaseError, match="point 0: .*another run"):
+            sweep.run_point(0)
+        assert sweep.points[0].state == "waiting"
+
+
 def test_a_folder_keeps_its_sweep(case, tmp_path):
     sweep = percolith.sweep(case, OPTIONS, tmp_path / "study")
     with pytest.raises(percolith.CaseError, match="another sweep"):
@@ -97,8 +160,11 @@ def test_a_folder_keeps_its_sweep(case, tmp_path):
         percolith.Sweep(tmp_path)
     with pytest.raises(percolith.CaseError, match="point 4: .*0 to 3"):
         sweep.run_point(4)
-    with pytest.raises(percolith.CaseError, match="processes = 0"):
-        sweep.run(processes=0)
+    for wrong in (0, "2", 1.5):
+        with pytest.raises(percolith.CaseError, match="processes = "):
+            sweep.run(processes=wrong)
+        with pytest.raises(percolith.CaseError, match="threads = "):
+            sweep.run(processes=1, threads=wrong)
 
 
 def test_a_job_of_an_array_runs_one_point(case, tmp_path, capsys):
@@ -132,3 +198,36 @@ def test_ctrl_c_ends_a_sweep_that_goes_on_later(case, tmp_path):
     thread.join()
     assert [point.state for point in sweep.points] == ["interrupted", "interrupted", "waiting"]
     assert (sweep.points[0].folder / "checkpoint.bin").is_file()
+
+
+@pytest.mark.parametrize("words", [["--point", "0"], ["--processes", "2"]])
+@pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGINT])
+def test_a_signal_ends_a_job_that_goes_on_later(case, tmp_path, words, ending):
+    case["time"] = {"scheme": "explicit", "end": "1e6 s"}
+    del case["output.times"]
+    sweep = percolith.sweep(case, {"boundary.left.pressure": [1e5, 2e5]}, tmp_path / "study")
+    process = subprocess.Popen([sys.executable, "-m", "percolith.sweeps", sweep.folder, *words],
+                               stderr=subprocess.PIPE, text=True)
+    begun = sweep.points[:1] if "--point" in words else sweep.points
+    deadline = time.monotonic() + 60
+    while not all((point.folder / "history.csv").is_file() for point in begun):
+        assert time.monotonic() < deadline and process.poll() is None
+        time.sleep(0.05)
+    process.send_signal(ending)
+    _, told = process.communicate(timeout=60)
+    assert process.returncode == 128 + ending
+    assert "Traceback" not in told
+    assert f"{sweep.folder}: ended by {ending.name}; results and checkpoints are kept" in told
+    for point in begun:
+        assert point.state == "interrupted" and (point.folder / "checkpoint.bin").is_file()
+        steps = point.results().summary["steps"]
+        run = reopen_run(point.folder)
+        run.advance(float("inf"), 5, False)
+        assert run.steps == steps + 5
+        run.close("the test")
+
+
+def test_the_job_script_of_the_page_gets_the_signal_to_the_run():
+    page = (ROOT / "docs/python.md").read_text()
+    assert re.search(r"^#SBATCH --signal=B:TERM@\d+$", page, re.MULTILINE)
+    assert re.search(r"^exec python -m percolith.sweeps ", page, re.MULTILINE)
