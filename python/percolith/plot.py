@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 from pathlib import Path
 
@@ -102,9 +103,12 @@ def _arguments(words: list[str] | None) -> argparse.Namespace:
     arguments.time = arguments.time or "last"
     if arguments.time not in ("last", "all"):
         try:
-            arguments.time = float(arguments.time)
+            number = float(arguments.time)
         except ValueError:
+            number = math.nan
+        if not math.isfinite(number):
             parser.error(f"--time = {arguments.time}: not a number; allowed: seconds, last, all")
+        arguments.time = number
     if arguments.scale != "auto":
         try:
             arguments.scale = float(arguments.scale)

@@ -51,7 +51,7 @@ class Point:
         """finished, failed, interrupted, or waiting: not begun, killed or at work."""
         try:
             return json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))["outcome"]
-        except (OSError, ValueError, KeyError):
+        except (OSError, ValueError, KeyError, TypeError):
             return "waiting"
 
     def results(self) -> RunDirectory:
