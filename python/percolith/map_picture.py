@@ -15,7 +15,7 @@ from percolith.flow_fields import FIELDS
 from percolith.flow_fields import LABEL as FLOW_LABEL
 from percolith.head_picture import draw_head
 from percolith.mechanics_fields import LABEL, fragment_count, label_of, values_of
-from percolith.model_figure import ModelFigure, moment, shape, wrapped
+from percolith.model_figure import ModelFigure, moment, shape
 from percolith.rock_picture import (
     ROCK,
     category_handles,
@@ -30,15 +30,15 @@ from percolith.view import View, shown_parts
 _CRACKS = "inferno"
 
 
-def _title(run: RunDirectory, frame: Frame, field: str, view: View, figure) -> str:
-    """What the picture shows, in lines that fit the figure."""
+def _shown(run: RunDirectory, frame: Frame, field: str, view: View) -> list[str]:
+    """What the picture shows."""
     name = FLOW_LABEL.get(field) or LABEL.get(field, label_of(frame, field)).split(",")[0]
     if field == "fragments":
         name = f"{fragment_count(frame)} fragments" + " in all" * view.is_part
     parts = [name, moment(run, frame)]
     if can_deform(frame.matrix):
         parts.append(shape(view))
-    return "\n".join([*wrapped(run.title, figure), ", ".join(parts)])
+    return parts
 
 
 def _draw_rock(model: ModelFigure, run: RunDirectory, frame: Frame, points, field: str,
@@ -92,7 +92,7 @@ def map_axes(run: RunDirectory, frame: Frame, field: str, view: View, axes=None)
     """Draws `field` at the time of `frame` and returns the axes: those given, or of a figure of its
     own. Raises RunDirectoryError where the run has no such field."""
     model = ModelFigure(view, view.cracks is not None, axes)
-    title = _title(run, frame, field, view, model.figure)
+    parts = _shown(run, frame, field, view)
     frame, bodies = shown_parts(run, frame, view)
     points = deformed_points(frame.matrix, view.scale)
     draw_bodies(model.axes, bodies, view.scale)
@@ -107,5 +107,5 @@ def map_axes(run: RunDirectory, frame: Frame, field: str, view: View, axes=None)
         handles += arrow_handles(view.arrow)
     _add_bars(model, rock, frame, field, view)
     model.legend(handles)
-    model.axes.set_title(title, fontsize=11)
+    model.title(run.title, parts)
     return model.axes

@@ -38,8 +38,8 @@ class RunDirectoryError(Error, ValueError):
 
 
 def read_file(path: str | os.PathLike, parse: Callable[[str], _Content]) -> _Content:
-    """What `parse` makes of the text of a file of results. Raises FileError where the file cannot be
-    read, and RunDirectoryError naming it and what to do where `parse` finds it damaged."""
+    """What `parse` makes of the text of a file of results. Raises FileError where the file cannot
+    be read, and RunDirectoryError naming it and what to do where `parse` finds it damaged."""
     try:
         text = Path(path).read_bytes().decode("utf-8")
         return parse(text)
@@ -49,8 +49,8 @@ def read_file(path: str | os.PathLike, parse: Callable[[str], _Content]) -> _Con
         raise
     except _DAMAGE as error:
         why = "not a text in UTF-8" if isinstance(error, UnicodeDecodeError) else error
-        raise RunDirectoryError(f"{path}: damaged: {why}; copy the results anew from where they were "
-                                "made, or run the case again") from error
+        raise RunDirectoryError(f"{path}: damaged: {why}; copy the results anew from where they "
+                                "were made, or run the case again") from error
 
 
 @dataclass
@@ -120,7 +120,8 @@ def read_table(path: str | os.PathLike, words: tuple[str, ...] = ()) -> Table:
     in `words` hold text, all others numbers, where a field that is empty becomes NaN. Raises
     RunDirectoryError naming the file where a field is no number, and FileError where it cannot be
     read."""
-    return read_file(path, lambda text: parse_table(io.StringIO(text, newline=""), str(path), words))
+    return read_file(path, lambda text: parse_table(io.StringIO(text, newline=""), str(path),
+                                                    words))
 
 
 def _rows(lines: Iterable[str]) -> Iterator[list[str]]:
