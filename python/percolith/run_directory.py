@@ -63,13 +63,18 @@ class Frame:
 
     def crack_table(self) -> Table:
         """The segments of the cracks, a row each: x0_m, y0_m, x1_m, y1_m of their ends and all that
-        is known of them. Without rows where there is no crack."""
+        is known of them. What is known at the ends, as pressure_Pa and saturation, is the mean of
+        both, and NaN where the segment holds no fluid. Without rows where there is no crack."""
         if self.cracks is None:
             return Table({name: np.empty(0) for name in ("x0_m", "y0_m", "x1_m", "y1_m")})
         ends = self.cracks.points[self.cracks.cells]
         places = {f"{axis}{end}_m": ends[:, end, i] for end in (0, 1)
                   for i, axis in enumerate("xy")}
-        return Table({**places, **self.cracks.cell_data})
+        data = self.cracks.cell_data
+        dry = data["wet"] == 0 if "wet" in data else np.zeros(len(ends), bool)
+        means = {name: np.where(dry, np.nan, values[self.cracks.cells].mean(axis=1))
+                 for name, values in self.cracks.point_data.items() if values.ndim == 1}
+        return Table({**places, **means, **data})
 
 
 @dataclass
