@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds the Python package as users get it: the archive of the sources, from that the wheel, and that
-# installed where nothing of the sources can be found; then a case is run there in both ways and reported. Takes as
-# long as building the library. The archive and the wheel are left in build/package.
+# installed where nothing of the sources can be found; then a case is run there in both ways, and a page
+# of it is made. Takes as long as building the library. The archive and the wheel are left in
+# build/package.
 source "$(dirname "$0")/lib.sh"
 
 tools/setup.sh build test

@@ -6,6 +6,8 @@ same quantity, and colours of their own elsewhere."""
 from __future__ import annotations
 
 import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import LinearSegmentedColormap
 
 from percolith.crack_fields import CRACK_FIELDS
 from percolith.crack_picture import draw_filled, draw_modes, draw_thin, mode_handles
@@ -28,6 +30,9 @@ from percolith.run_directory import Frame, RunDirectory
 from percolith.view import View, shown_parts
 
 _CRACKS = "inferno"
+# Without the black end: what is hardly damaged could not be told from the outlines of cracks.
+_OF_DAMAGE = LinearSegmentedColormap.from_list(
+    "damage of joints", plt.get_cmap(_CRACKS)(np.linspace(0.3, 1.0, 256)))
 
 
 def _shown(run: RunDirectory, frame: Frame, field: str, view: View) -> list[str]:
@@ -74,6 +79,8 @@ def _draw_cracks(model: ModelFigure, frame: Frame, points, field: str, view: Vie
 def _colours(view: View) -> dict:
     """Colours of the cracks."""
     shown, name = (view.cracks, _CRACKS) if view.cracks else (view.rock, ROCK)
+    if view.crack_colours == "damage":
+        name = _OF_DAMAGE
     return {"cmap": plt.get_cmap(name).resampled(view.colours), "norm": shown.norm}
 
 

@@ -44,7 +44,8 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--time", help="time in s (the nearest frame), last (default) or all")
     parser.add_argument("--cracks", default="auto", choices=CRACKS, metavar="QUANTITY",
                         help=f"what cracks are coloured by: {', '.join(CRACKS)}; auto (default) is "
-                        "the field of a picture of flow, and in others mode or thin, which is dark")
+                        "the field of a picture of flow but the flux, and in others mode or thin, "
+                        "which is dark")
     parser.add_argument("--crosses", action="store_true", default=None,
                         help="draw crosses of the principal stresses over the field")
     parser.add_argument("--arrows", action="store_true",

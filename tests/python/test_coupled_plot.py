@@ -30,7 +30,7 @@ def run(directory):
 
 def test_a_run_is_what_it_has_left(run, tmp_path):
     assert run.has_flow and run.has_mechanics and not run.is_steady
-    assert fields_of(run)[:2] == ("pressure", "head") and "damage" in fields_of(run)
+    assert fields_of(run)[:2] == ("pressure", "saturation") and "damage" in fields_of(run)
     dry = write_mechanics_run(tmp_path / "dry")
     (dry / "resolved.toml").write_text('[model]\nphysics = "coupled"\n')
     assert RunDirectory(dry).has_mechanics and not RunDirectory(dry).has_flow

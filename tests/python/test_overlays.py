@@ -5,6 +5,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.collections import LineCollection
+from matplotlib.colors import to_rgb
 from matplotlib.quiver import Quiver
 from percolith import RunDirectory, RunDirectoryError, plot
 from percolith.crack_fields import (
@@ -14,7 +15,7 @@ from percolith.crack_fields import (
     range_of_cracks,
     shown_values,
 )
-from percolith.crack_picture import MODES
+from percolith.crack_picture import MODES, OUTLINE
 from percolith.model_figure import fitting_columns
 from percolith.overlays import CRACKS, Overlays, check_overlays
 from percolith.view import view_of_frame, view_of_times
@@ -190,3 +191,15 @@ def test_legends_fit_their_figures():
     long = ["past its peak (826)", "tensile (33)", "mixed (115)", "tension", "compression"]
     assert fitting_columns(long, 7.0) == 3
     assert fitting_columns(["longest arrow: 2.81 × $10^{-3}$ m/s"] * 2, 6.5) == 2
+
+
+def test_hardly_damaged_joints_can_be_told_from_their_outlines(coupled):
+    axes = coupled.plot("displacement", cracks="damage")
+    (cracks,) = [one for one in axes.collections
+                 if isinstance(one, LineCollection) and one.get_array() is not None]
+    low = np.array(cracks.cmap(0.0)[:3])
+    assert np.abs(low - np.array(to_rgb(OUTLINE))).max() > 0.25
+    axes = coupled.plot("displacement", cracks="aperture")
+    (cracks,) = [one for one in axes.collections
+                 if isinstance(one, LineCollection) and one.get_array() is not None]
+    assert cracks.cmap(0.0) == plt.get_cmap("inferno")(0.0)
