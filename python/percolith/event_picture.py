@@ -38,7 +38,8 @@ def _scatter(axes, events: Table, x: np.ndarray, y: np.ndarray, share: float = 1
         chosen = events["mode"] == mode
         if chosen.any():
             axes.scatter(x[chosen], y[chosen], s=sizes[chosen], color=colour,
-                         marker=_MARKERS[mode], alpha=0.7, linewidths=0.0, label=f"{mode} ({chosen.sum()})")
+                         marker=_MARKERS[mode], alpha=0.7, linewidths=0.0,
+                         label=f"{mode} ({chosen.sum()})")
     if len(events):
         axes.legend(fontsize="small", frameon=False, loc="lower left", bbox_to_anchor=(0.0, 1.0),
                     borderpad=0.0, ncols=3, handletextpad=0.2)
