@@ -17,6 +17,7 @@ from percolith.view import View
 _LEGEND_ROW = 0.3  # inches below the picture
 _LETTER, _HANDLE = 0.078, 0.55  # inches of a small letter, and of what stands before a label
 _BAR = 1.2  # inches for a colour bar
+_GAP = 0.1  # inches between tall axes and a bar
 _TITLE = 3.6  # inches that lines of a title have at least
 _LETTERS = 10  # of a title on an inch
 _LINES, _LINE = 2, 0.19  # of a title that any figure has room for, inches for each further one
@@ -33,7 +34,7 @@ class ModelFigure:
         width, height = window[1] - window[0]
         self.is_wide = width > 2.2 * height
         self._is_part = axes is not None
-        self._is_narrow = False
+        self._is_narrow, self._slenderness = False, height / width
         self._beside = 0.0 if self.is_wide else _BAR * (1 + second_bar)
         if axes is None:
             axes = self._own_axes(width, height, second_bar)
@@ -87,7 +88,8 @@ class ModelFigure:
             shape = {"orientation": "horizontal", "aspect": 40, "shrink": 0.7}
         elif self._is_narrow:
             # As long as beside other models, though the axes are narrow.
-            shape |= {"aspect": 36, "fraction": 0.5, "pad": 0.05}
+            width = self.figure.get_figheight() / self._slenderness  # of the axes, inches
+            shape |= {"aspect": 36, "fraction": 0.5, "pad": max(0.05, _GAP / width)}
         self.figure.colorbar(picture, ax=self.axes, extend=extend, label=label, **shape)
 
     def legend(self, handles: list) -> None:

@@ -13,7 +13,7 @@ import time
 import numpy as np
 import percolith
 import pytest
-from percolith.sweeps import main
+from percolith.sweeps import Point, main
 
 OPTIONS = {"boundary.left.pressure": [1e5, "200 kPa"], "material.rock.porosity": [0.1, 0.2]}
 
@@ -87,6 +87,18 @@ def test_mistakes_are_told_before_anything_is_written(case, tmp_path):
         with pytest.raises(percolith.CaseError, match=message):
             percolith.sweep(case, options, tmp_path / "study")
     assert not (tmp_path / "study").exists()
+
+
+@pytest.mark.parametrize("plan", ["[]", "{}", '{"points": []}', "{"])
+def test_a_damaged_plan_is_no_sweep(plan, tmp_path):
+    (tmp_path / "sweep.json").write_text(plan)
+    with pytest.raises(percolith.CaseError, match="no sweep here"):
+        percolith.Sweep(tmp_path)
+
+
+def test_a_point_with_a_damaged_summary_waits(tmp_path):
+    (tmp_path / "summary.json").write_text("[]")
+    assert Point(0, {}, tmp_path).state == "waiting"
 
 
 def test_a_folder_keeps_its_sweep(case, tmp_path):

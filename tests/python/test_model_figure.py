@@ -63,6 +63,7 @@ def test_bars_beside_tall_models_are_long():
     for height in (3.0, 30.0):
         axes, bar = (part.get_window_extent() for part in model_of(height).figure.axes)
         assert bar.height > 0.5 * axes.height and 10 < bar.width < 40
+        assert bar.x0 - axes.x1 > 4
 
 
 def test_a_part_of_a_title_stays_whole():
