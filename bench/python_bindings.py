@@ -7,9 +7,10 @@ Usage: python_bindings.py PROGRAM [ROUNDS]. The package is the one on PYTHONPATH
 objects as PROGRAM. The three alternate, so that a machine whose speed drifts does not decide, and the
 best time of each counts, since what others do on the machine only adds. Results go to memory, because
 waiting for a disk takes as long as all else and differs from run to run. The loops are those of the
-same objects: what Python adds lies outside of them, and that part is told too, since it can be
-measured where others work on the machine. Exit code 1 when Python takes
-more than 1.01 of the time of the command line.
+same objects and differ by themselves, from round to round, more than the hundredth that is allowed.
+What Python adds lies outside of them, with reports, their formatting and output: that part is judged.
+Exit code 1 when Python adds more to it than a hundredth of the run by the command line. Whole runs are
+told beside, and so is what the import of the package takes before, once a program.
 """
 
 import json
@@ -27,9 +28,9 @@ CASE = ROOT / "examples/three_cracks/case.toml"
 # As often as the whole example of 7 ms, it writes fields and rows of the history.
 OPTIONS = {"time.end": "0.6 ms", "output.interval": "0.2 ms", "output.history_interval": "7 us"}
 MEMORY = Path("/dev/shm")
-LIMIT = 1.01
-
-
+LIMIT = 0.01  # of a run, that Python adds outside the loops
+IMPORT = ("import time; start = time.perf_counter(); import percolith; percolith.Case; "
+          "print(time.perf_counter() - start)")
 START = ("case file", "mesh file", "model")
 
 
@@ -57,6 +58,12 @@ def by_python(folder: Path, steps: int | None) -> None:
             pass
 
 
+def import_seconds() -> float:
+    """Time to import what runs a case, in a fresh interpreter."""
+    done = subprocess.run([sys.executable, "-c", IMPORT], check=True, capture_output=True, text=True)
+    return float(done.stdout)
+
+
 def main() -> int:
     program, rounds = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 12
     warnings.simplefilter("ignore", percolith.CaseWarning)
@@ -64,7 +71,7 @@ def main() -> int:
     if not MEMORY.is_dir():
         print(f"{MEMORY}: no such folder; results would go to a disk", file=sys.stderr)
         return 1
-    best = [(float("inf"), float("inf"))] * 3
+    best, imported = [(float("inf"), float("inf"))] * 3, float("inf")
     for _ in range(rounds):
         with tempfile.TemporaryDirectory(dir=MEMORY) as scratch:
             folders = [Path(scratch) / name for name in ("program", "whole", "parts")]
@@ -73,13 +80,16 @@ def main() -> int:
             by_python(folders[2], 100)
             best = [tuple(map(min, zip(before, seconds(folder))))
                     for before, folder in zip(best, folders)]
+        imported = min(imported, import_seconds())
     (reference, outside), *others = best
     ratios = [total / reference for total, _ in others]
     added = [(rest - outside) / reference for _, rest in others]
-    print(f"command line {reference:.3f} s, {outside:.3f} s of it outside the loops; Python takes "
-          f"{ratios[0]:.4f} of it, in steps of a hundred {ratios[1]:.4f}, at most {LIMIT}; outside "
-          f"the loops it adds {added[0]:.2%} and {added[1]:.2%}")
-    return 0 if max(ratios) <= LIMIT else 1
+    kept = "within" if max(added) <= LIMIT else "ABOVE"
+    print(f"{kept} the limit: outside the loops Python adds {added[0]:.2%} of a run, in steps of a "
+          f"hundred {added[1]:.2%}, of at most {LIMIT:.0%}; not judged: whole runs, {reference:.3f} s "
+          f"by the command line ({outside:.3f} s outside the loops), {ratios[0]:.4f} and "
+          f"{ratios[1]:.4f} of it by Python; the import of the package, {imported:.3f} s")
+    return 0 if max(added) <= LIMIT else 1
 
 
 if __name__ == "__main__":

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds the Python package as users get it: the archive of the sources, from that the wheel, and that
-# installed where nothing of the sources can be found; then a case is run there in both ways. Takes as
-# long as building the library. The archive and the wheel are left in build/package.
+# installed where nothing of the sources can be found; then a case is run there in both ways, and a page
+# of it is made. Takes as long as building the library. The archive and the wheel are left in
+# build/package.
 source "$(dirname "$0")/lib.sh"
 
 tools/setup.sh build test
@@ -31,4 +32,6 @@ CHECK
 "$scratch/venv/bin/percolith" run strip/case.toml --output program --quiet \
   --set "time.end=1 ms" --set "output.times=[]"
 "$scratch/venv/bin/percolith" plot program
+"$scratch/venv/bin/percolith" report program
+grep -q '<canvas id="view-canvas"' program/report.html
 cmp python/history.csv program/history.csv

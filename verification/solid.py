@@ -8,9 +8,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from percolith import RunDirectory
+from percolith.crack_picture import MODES
 from percolith.run_directory import Frame
 
-BROKEN = ((1, "tensile", "#d55e00"), (2, "shear", "#0072b2"), (3, "mixed", "#009e73"))
+# Number, name and colour of the modes in which joints break during a run, as in other pictures.
+BROKEN = tuple((number, *named) for number, named in MODES.items() if number > 0)
 ENERGIES = ("kinetic", "elastic", "joint", "fracture", "contact", "friction", "damping", "absorbed",
             "gravity")
 

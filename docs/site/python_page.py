@@ -16,6 +16,9 @@ GROUPS = {
     "Errors": ["Error", "CaseError", "CaseWarning", "Problem", "SolverError", "FileError",
                "MeshError", "RunDirectoryError", "VtuError"],
 }
+# Classes of the extension that no one makes but a simulation hands out, by the attributes that do.
+HANDED_OUT = {"Mesh": "mesh", "Flow": "flow", "Motion": "motion", "CheckReport": "check()",
+              "StepLimit": "check().limits"}
 
 
 def exported(file: str) -> list[str]:
@@ -34,6 +37,15 @@ def entry(module: str, name: str) -> str:
     return f"```{{eval-rst}}\n.. {kind}:: {module}.{name}{members}\n```\n\n"
 
 
+def handed_out() -> str:
+    """What `mesh`, `flow`, `motion` and `check` of a simulation are."""
+    parts = ["## State of a simulation\n\nWhat a `Simulation` hands out. Arrays are those of the "
+             "simulator, without copies: read-only, and as they are after the last step.\n\n"]
+    for name, attribute in HANDED_OUT.items():
+        parts.append(f"`simulation.{attribute}`:\n\n" + entry("percolith._core", name))
+    return "".join(parts)
+
+
 def page() -> str:
     """All that the package exports; what stands in no group comes behind them."""
     listed = {name for names in GROUPS.values() for name in names}
@@ -43,6 +55,8 @@ def page() -> str:
              "this page is made from its docstrings.\n\n"]
     for group, names in groups.items():
         parts.append(f"## {group}\n\n" + "".join(entry("percolith", name) for name in names))
+        if group == "Runs":
+            parts.append(handed_out())
     parts.append("## Meshes\n\n" + "".join(
         entry("percolith.mesh", name) for name in exported("python/percolith/mesh/__init__.py")))
     return "".join(parts)

@@ -4,9 +4,7 @@ same colours and the same factor of the displacements."""
 
 from __future__ import annotations
 
-import errno
 import io
-import os
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -20,6 +18,7 @@ from percolith.map_picture import map_axes
 from percolith.overlays import Overlays
 from percolith.pictures import MapOptions, check_field
 from percolith.run_directory import RunDirectory, RunDirectoryError
+from percolith.saving import check_folder, writing
 from percolith.video import require_encoder, write_video
 from percolith.view import ANIMATED, STILL, View
 
@@ -110,8 +109,7 @@ def _check(run: RunDirectory, options: MapOptions, path: Path) -> None:
     if path.suffix.lower() not in FORMATS:
         raise RunDirectoryError(f"{path}: an animation is a GIF or an MP4; allowed: FILE.gif, "
                                 "FILE.mp4")
-    if not path.parent.is_dir():
-        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(path))
+    check_folder(path)
     if path.suffix.lower() == ".mp4":
         require_encoder()
     options.check(run)
@@ -129,7 +127,8 @@ def draw_animation(run: RunDirectory, field: str | None = None, path: Path | Non
     pictures of flow, and else of their mode. `scale` multiplies the displacements; None stands for
     one that suits all frames. `window` gives lower left and upper right end (2, 2) of what is
     shown, in m; None stands for all. Raises RunDirectoryError where the run has no such field,
-    nothing in the window, or fewer than two frames, and where nothing encodes an MP4."""
+    nothing in the window, or fewer than two frames, and where nothing encodes an MP4, and FileError
+    where a file cannot be read or written."""
     field = check_field(run, field or default_field(run))
     options = MapOptions(scale, window, overlays or Overlays())
     path = Path(path) if path else run.path / f"{field}.gif"
@@ -142,5 +141,7 @@ def draw_animation(run: RunDirectory, field: str | None = None, path: Path | Non
         return path
     times = thinned(run.times, MOST_FRAMES)
     view = options.view_of_all(run, times, field, run.has_mechanics, ANIMATED)
-    path.write_bytes(encode([_image(run, time, field, view, _RESOLUTION) for time in times]))
+    content = encode([_image(run, time, field, view, _RESOLUTION) for time in times])
+    with writing(path):
+        path.write_bytes(content)
     return path

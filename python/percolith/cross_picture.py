@@ -80,6 +80,8 @@ def draw_arrows(axes, frame: Frame, points: np.ndarray, longest: float) -> None:
     chosen = one_a_square(centre, spacing)
     size = np.hypot(*flow.T)
     length = (np.minimum(size, longest) / np.where(size > 0, size, 1.0) * 0.9 * spacing / longest)
+    # Shafts and heads are measured in the longer side of the axes.
+    slender = np.ptp(axes.get_ylim()) / np.ptp(axes.get_xlim())
     axes.quiver(*centre[chosen].T, *(flow[chosen] * length[chosen, None]).T, angles="xy",
-                scale_units="xy", scale=1.0, width=0.0025, color=_ARROW, edgecolor=_ARROW_EDGE,
-                linewidth=0.4, pivot="mid", zorder=1.9)
+                scale_units="xy", scale=1.0, width=0.0025 * max(1.0, slender),
+                color=_ARROW, edgecolor=_ARROW_EDGE, linewidth=0.4, pivot="mid", zorder=1.9)

@@ -10,13 +10,14 @@ import numpy as np
 from matplotlib.collections import LineCollection
 
 from percolith.b_value import BValue, b_value, reason_for_none
-from percolith.colours import BLACK, BLUE, GREEN, RED
+from percolith.colours import BLACK, BLUE, RED
+from percolith.crack_picture import MODES
 from percolith.outline import outline_of
 from percolith.run_directory import RunDirectory, Table
 from percolith.saving import save
 from percolith.units import prefix_scale, time_scale
 
-_MODES = {"tensile": (BLUE, "o"), "shear": (RED, "^"), "mixed": (GREEN, "s")}
+_MARKERS = {"tensile": "o", "shear": "^", "mixed": "s"}
 _SMALLER = 0.4  # of the area of markers, where they lie side by side along a crack
 _SMALL = 0.3  # of the extent of the model
 _MINUS = "\N{MINUS SIGN}"
@@ -33,11 +34,12 @@ def _sizes(magnitude: np.ndarray) -> np.ndarray:
 
 def _scatter(axes, events: Table, x: np.ndarray, y: np.ndarray, share: float = 1.0) -> None:
     sizes = share * _sizes(events["magnitude"])
-    for mode, (colour, marker) in _MODES.items():
+    for mode, colour in MODES.values():
         chosen = events["mode"] == mode
         if chosen.any():
-            axes.scatter(x[chosen], y[chosen], s=sizes[chosen], color=colour, marker=marker,
-                         alpha=0.7, linewidths=0.0, label=f"{mode} ({chosen.sum()})")
+            axes.scatter(x[chosen], y[chosen], s=sizes[chosen], color=colour,
+                         marker=_MARKERS[mode], alpha=0.7, linewidths=0.0,
+                         label=f"{mode} ({chosen.sum()})")
     if len(events):
         axes.legend(fontsize="small", frameon=False, loc="lower left", bbox_to_anchor=(0.0, 1.0),
                     borderpad=0.0, ncols=3, handletextpad=0.2)

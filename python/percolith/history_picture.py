@@ -12,28 +12,53 @@ from percolith.units import Scale, format_value, power_scale, pressure_scale, ti
 _MOMENTS = 0.03  # of the time of a run
 _CUT_ABOVE = 3.0  # times the range of what lasts longer than moments
 _LEGEND_WIDTH = 100  # letters of small type across a panel; a handle takes 13
+_LEGEND_ROWS = 4  # at most above a panel
+_GREY = "#A0A0A0"  # of curves without a name
+
+
+def largest_curves(history: Table, names: list[str], count: int) -> list[str]:
+    """So many of the columns, those that come farthest from zero, in the order they are in."""
+    def size(name: str) -> float:
+        values = np.abs(history[name])
+        return float(np.max(values[np.isfinite(values)], initial=0.0))
+
+    kept = sorted(names, key=size, reverse=True)[:count]
+    return [name for name in names if name in kept]
+
+
+def _named(history: Table, curves: dict[str, str]) -> tuple[list[str], int]:
+    """The columns that a legend of few rows names, and in how many columns: where they are too many
+    those that are largest, with a place left for the others."""
+    columns = max(1, _LEGEND_WIDTH // (13 + max(map(len, curves.values()))))
+    if len(curves) <= columns * _LEGEND_ROWS:
+        rows = -(-len(curves) // columns)
+        return list(curves), -(-len(curves) // rows)
+    return largest_curves(history, list(curves), columns * _LEGEND_ROWS - 1), columns
 
 
 def draw_curves(axes, history: Table, time: Scale, curves: dict[str, str], scale: Scale,
                 quantity: str) -> None:
     """Draws columns of a history over time; `curves` gives each of them its name in the legend,
-    which is left out where they have none."""
+    which is left out where they have none. Of many curves the largest have names and colours, the
+    others are thin and grey."""
     moments = history["time_s"] / time.factor
     marker = "." if len(history) <= 100 else ""
-    colours = plt.cm.viridis(np.linspace(0.0, 0.85, max(len(curves), 2)))
+    named, columns = _named(history, curves)
+    colours = plt.cm.viridis(np.linspace(0.0, 0.85, max(len(named), 2)))
     styles = ["-", "--", "-.", ":"]
-    for i, (column, label) in enumerate(curves.items()):
-        axes.plot(moments, history[column] / scale.factor, label=label, color=colours[i],
+    for i, column in enumerate(named):
+        axes.plot(moments, history[column] / scale.factor, label=curves[column], color=colours[i],
                   linestyle=styles[i % 4], marker=marker)
+    others = [column for column in curves if column not in named]
+    for i, column in enumerate(others):
+        label = f"{len(others)} others, smaller" if i == 0 else None
+        axes.plot(moments, history[column] / scale.factor, label=label, color=_GREY, linewidth=0.8,
+                  zorder=1.5)
     axes.set_ylabel(scale.label(quantity))
-    if not any(curves.values()):
-        return
-    # Above the panel: no place inside is free of curves in every run.
-    columns = max(1, _LEGEND_WIDTH // (13 + max(map(len, curves.values()))))
-    rows = -(-len(curves) // columns)
-    axes.legend(fontsize="small", frameon=False, loc="lower left", bbox_to_anchor=(0.0, 1.0),
-                borderpad=0.0, columnspacing=1.2,
-                ncols=-(-len(curves) // rows))
+    if any(curves.values()):
+        # Above the panel: no place inside is free of curves in every run.
+        axes.legend(fontsize="small", frameon=False, loc="lower left", bbox_to_anchor=(0.0, 1.0),
+                    borderpad=0.0, columnspacing=1.2, ncols=columns)
 
 
 def lasting_range(time: np.ndarray, curves: np.ndarray) -> tuple[float, float]:

@@ -6,6 +6,8 @@ same quantity, and colours of their own elsewhere."""
 from __future__ import annotations
 
 import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import LinearSegmentedColormap
 
 from percolith.crack_fields import CRACK_FIELDS
 from percolith.crack_picture import draw_filled, draw_modes, draw_thin, mode_handles
@@ -15,7 +17,7 @@ from percolith.flow_fields import FIELDS
 from percolith.flow_fields import LABEL as FLOW_LABEL
 from percolith.head_picture import draw_head
 from percolith.mechanics_fields import LABEL, fragment_count, label_of, values_of
-from percolith.model_figure import ModelFigure, moment, shape, wrapped
+from percolith.model_figure import ModelFigure, moment, shape
 from percolith.rock_picture import (
     ROCK,
     category_handles,
@@ -28,17 +30,20 @@ from percolith.run_directory import Frame, RunDirectory
 from percolith.view import View, shown_parts
 
 _CRACKS = "inferno"
+# Without the black end: what is hardly damaged could not be told from the outlines of cracks.
+_OF_DAMAGE = LinearSegmentedColormap.from_list(
+    "damage of joints", plt.get_cmap(_CRACKS)(np.linspace(0.3, 1.0, 256)))
 
 
-def _title(run: RunDirectory, frame: Frame, field: str, view: View, figure) -> str:
-    """What the picture shows, in lines that fit the figure."""
+def _shown(run: RunDirectory, frame: Frame, field: str, view: View) -> list[str]:
+    """What the picture shows."""
     name = FLOW_LABEL.get(field) or LABEL.get(field, label_of(frame, field)).split(",")[0]
     if field == "fragments":
         name = f"{fragment_count(frame)} fragments" + " in all" * view.is_part
     parts = [name, moment(run, frame)]
     if can_deform(frame.matrix):
         parts.append(shape(view))
-    return "\n".join([*wrapped(run.title, figure), ", ".join(parts)])
+    return parts
 
 
 def _draw_rock(model: ModelFigure, run: RunDirectory, frame: Frame, points, field: str,
@@ -74,6 +79,8 @@ def _draw_cracks(model: ModelFigure, frame: Frame, points, field: str, view: Vie
 def _colours(view: View) -> dict:
     """Colours of the cracks."""
     shown, name = (view.cracks, _CRACKS) if view.cracks else (view.rock, ROCK)
+    if view.crack_colours == "damage":
+        name = _OF_DAMAGE
     return {"cmap": plt.get_cmap(name).resampled(view.colours), "norm": shown.norm}
 
 
@@ -92,7 +99,7 @@ def map_axes(run: RunDirectory, frame: Frame, field: str, view: View, axes=None)
     """Draws `field` at the time of `frame` and returns the axes: those given, or of a figure of its
     own. Raises RunDirectoryError where the run has no such field."""
     model = ModelFigure(view, view.cracks is not None, axes)
-    title = _title(run, frame, field, view, model.figure)
+    parts = _shown(run, frame, field, view)
     frame, bodies = shown_parts(run, frame, view)
     points = deformed_points(frame.matrix, view.scale)
     draw_bodies(model.axes, bodies, view.scale)
@@ -107,5 +114,5 @@ def map_axes(run: RunDirectory, frame: Frame, field: str, view: View, axes=None)
         handles += arrow_handles(view.arrow)
     _add_bars(model, rock, frame, field, view)
     model.legend(handles)
-    model.axes.set_title(title, fontsize=11)
+    model.title(run.title, parts)
     return model.axes

@@ -29,10 +29,13 @@ from percolith.view import STILL, View, view_of_frame, view_of_times
 
 
 def fields_of(run: RunDirectory) -> tuple[str, ...]:
-    """The fields that pictures of this run can show."""
+    """The fields that pictures of this run can show; without gravity there is no head."""
     fields = FIELDS * run.has_flow + MECHANICS_FIELDS * run.has_mechanics
-    others = other_fields(run.frame(run.times[0]).matrix) if run.times else ()
-    return (*fields, *others)
+    if not run.times:
+        return fields
+    matrix = run.frame(run.times[0]).matrix
+    fields = tuple(name for name in fields if name != "head" or "head_m" in matrix.point_data)
+    return (*fields, *other_fields(matrix))
 
 
 def check_field(run: RunDirectory, field: str | None) -> str | None:
@@ -44,7 +47,9 @@ def check_field(run: RunDirectory, field: str | None) -> str | None:
     for name in (field, without_unit(str(field))):
         if name in known:
             return name
-    raise RunDirectoryError(f"{run.path}: no {field} in this run; there are: {', '.join(known)}")
+    needs = "; head needs model.gravity > 0" if without_unit(field) == "head" else ""
+    raise RunDirectoryError(f"{run.path}: no {field} in this run; there are: {', '.join(known)}"
+                            + needs)
 
 
 def check_scale(run: RunDirectory, scale: float | None) -> None:

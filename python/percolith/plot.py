@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 from pathlib import Path
 
@@ -43,7 +44,8 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--time", help="time in s (the nearest frame), last (default) or all")
     parser.add_argument("--cracks", default="auto", choices=CRACKS, metavar="QUANTITY",
                         help=f"what cracks are coloured by: {', '.join(CRACKS)}; auto (default) is "
-                        "the field of a picture of flow, and in others mode or thin, which is dark")
+                        "the field of a picture of flow but the flux, and in others mode or thin, "
+                        "which is dark")
     parser.add_argument("--crosses", action="store_true", default=None,
                         help="draw crosses of the principal stresses over the field")
     parser.add_argument("--arrows", action="store_true",
@@ -102,9 +104,12 @@ def _arguments(words: list[str] | None) -> argparse.Namespace:
     arguments.time = arguments.time or "last"
     if arguments.time not in ("last", "all"):
         try:
-            arguments.time = float(arguments.time)
+            number = float(arguments.time)
         except ValueError:
+            number = math.nan
+        if not math.isfinite(number):
             parser.error(f"--time = {arguments.time}: not a number; allowed: seconds, last, all")
+        arguments.time = number
     if arguments.scale != "auto":
         try:
             arguments.scale = float(arguments.scale)

@@ -11,7 +11,7 @@ from pathlib import Path
 from percolith.pictures import check_scale
 from percolith.reporting.page import page_of
 from percolith.run_directory import ArgumentError, RunDirectory, RunDirectoryError
-from percolith.saving import replacing
+from percolith.saving import replacing, writing
 from percolith.vtu import VtuError
 
 
@@ -22,13 +22,16 @@ def report(directory: str | os.PathLike, output: str | os.PathLike | None = None
     about in. `output` is the file, None for report.html in the directory; `time` (s) chooses the
     frame that is shown, None the last one; `scale` multiplies the displacements, None chooses it.
     A run that has not ended is reported as far as it got. Raises RunDirectoryError where there is
-    no run directory or a file of a run that ended is missing, VtuError where a field file is
-    damaged, and OSError where a file cannot be read or written; an earlier page then stays."""
+    no run directory or a file of a run that ended is missing or damaged, VtuError where a field
+    file is damaged, and FileError where a file cannot be read or written; an earlier page then
+    stays."""
     run = RunDirectory(directory)
     check_scale(run, scale)
     path = run.path / "report.html" if output is None else Path(output)
     with replacing(path) as part:
-        part.write_text(page_of(run, time, scale), encoding="utf-8")
+        page = page_of(run, time, scale)
+        with writing(path):
+            part.write_text(page, encoding="utf-8")
     return path
 
 

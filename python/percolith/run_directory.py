@@ -4,20 +4,22 @@
 from __future__ import annotations
 
 import csv
+import io
 import json
+import math
 import os
 import tomllib
 import xml.etree.ElementTree as ElementTree
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from numbers import Real
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
-from percolith.errors import Error
+from percolith.errors import Error, FileError
 from percolith.run_pictures import RunPictures
 from percolith.vtu import Grid, read_vtu
 
@@ -27,6 +29,10 @@ if TYPE_CHECKING:
 EVENT_WORDS = ("mode", "material")
 """Columns of the events that hold text."""
 
+_Content = TypeVar("_Content")
+# What parsers raise where the content of a file is not what they expect.
+_DAMAGE = (ValueError, TypeError, KeyError, csv.Error, ElementTree.ParseError, RecursionError)
+
 
 class RunDirectoryError(Error, ValueError):
     """The directory holds no results, or not those asked for."""
@@ -35,6 +41,22 @@ class RunDirectoryError(Error, ValueError):
 class ArgumentError(RunDirectoryError):
     """An argument that means nothing, or not for this run. The message begins with its name, which
     is that of the option of the command line without its dashes."""
+
+
+def read_file(path: str | os.PathLike, parse: Callable[[str], _Content]) -> _Content:
+    """What `parse` makes of the text of a file of results. Raises FileError where the file cannot
+    be read, and RunDirectoryError naming it and what to do where `parse` finds it damaged."""
+    try:
+        text = Path(path).read_bytes().decode("utf-8")
+        return parse(text)
+    except OSError as error:
+        raise FileError(f"{path}: cannot be read: {error.strerror or error}") from error
+    except RunDirectoryError:
+        raise
+    except _DAMAGE as error:
+        why = "not a text in UTF-8" if isinstance(error, UnicodeDecodeError) else error
+        raise RunDirectoryError(f"{path}: damaged: {why}; copy the results anew from where they "
+                                "were made, or run the case again") from error
 
 
 @dataclass
@@ -47,13 +69,18 @@ class Frame:
 
     def crack_table(self) -> Table:
         """The segments of the cracks, a row each: x0_m, y0_m, x1_m, y1_m of their ends and all that
-        is known of them. Without rows where there is no crack."""
+        is known of them. What is known at the ends, as pressure_Pa and saturation, is the mean of
+        both, and NaN where the segment holds no fluid. Without rows where there is no crack."""
         if self.cracks is None:
             return Table({name: np.empty(0) for name in ("x0_m", "y0_m", "x1_m", "y1_m")})
         ends = self.cracks.points[self.cracks.cells]
         places = {f"{axis}{end}_m": ends[:, end, i] for end in (0, 1)
                   for i, axis in enumerate("xy")}
-        return Table({**places, **self.cracks.cell_data})
+        data = self.cracks.cell_data
+        dry = data["wet"] == 0 if "wet" in data else np.zeros(len(ends), bool)
+        means = {name: np.where(dry, np.nan, values[self.cracks.cells].mean(axis=1))
+                 for name, values in self.cracks.point_data.items() if values.ndim == 1}
+        return Table({**places, **means, **data})
 
 
 @dataclass
@@ -96,21 +123,25 @@ class Table:
 
 def column_names(path: str | os.PathLike) -> list[str]:
     """The names in the first line of a CSV file that is no comment; none in an empty file."""
-    with open(path, newline="") as file:
-        return next(csv.reader(line for line in file if not line.startswith("#")), [])
+    return read_file(path, lambda text: next(_rows(io.StringIO(text, newline="")), []))
 
 
 def read_table(path: str | os.PathLike, words: tuple[str, ...] = ()) -> Table:
     """Reads a CSV file with a line of names; lines that start with `#` are comments. Columns named
     in `words` hold text, all others numbers, where a field that is empty becomes NaN. Raises
-    RunDirectoryError naming the file where a field is no number."""
-    with open(path, newline="") as file:
-        return parse_table(file, str(path), words)
+    RunDirectoryError naming the file where a field is no number, and FileError where it cannot be
+    read."""
+    return read_file(path, lambda text: parse_table(io.StringIO(text, newline=""), str(path),
+                                                    words))
+
+
+def _rows(lines: Iterable[str]) -> Iterator[list[str]]:
+    return csv.reader(line for line in lines if not line.startswith("#"))
 
 
 def parse_table(lines: Iterable[str], name: str, words: tuple[str, ...] = ()) -> Table:
     """The same from the lines of a file; `name` is for messages."""
-    rows = list(csv.reader(line for line in lines if not line.startswith("#")))
+    rows = list(_rows(lines))
     if not rows:
         raise RunDirectoryError(f"{name}: empty table")
     names, rows = rows[0], rows[1:]
@@ -144,15 +175,18 @@ class RunDirectory(RunPictures):
     @cached_property
     def resolved(self) -> dict:
         """The complete input with defaults, as nested dictionaries."""
-        with open(self.path / "resolved.toml", "rb") as file:
-            return tomllib.load(file)
+        return read_file(self.path / "resolved.toml", tomllib.loads)
+
+    @property
+    def resolved_text(self) -> str:
+        """The same as it was written, with units and derived values in comments."""
+        return read_file(self.path / "resolved.toml", str)
 
     @cached_property
     def summary(self) -> dict:
         """What summary.json says: end time, steps, wall time; of flow its mass balance and
         extremes, of mechanics its results."""
-        with open(self._file("summary.json"), encoding="utf-8") as file:
-            return json.load(file)
+        return read_file(self._file("summary.json"), _summary)
 
     @property
     def has_summary(self) -> bool:
@@ -240,11 +274,11 @@ class RunDirectory(RunPictures):
 
     def frame(self, time: float | None = None) -> Frame:
         """The frame nearest to `time` (s); the last one when None."""
+        if time is not None and (not isinstance(time, Real) or not math.isfinite(time)):
+            raise ArgumentError(f"time = {time!r}: allowed: a finite number of seconds")
         if not self.times:
             raise RunDirectoryError(f"{self.path}: no frames; "
-                                    + self._failure_or("the case sets output.fields = false"))
-        if time is not None and (not isinstance(time, Real) or time != time):
-            raise ArgumentError(f"time = {time!r}: no time; allowed: a number in s")
+                                    + self._failure_or(self._reason_for_no_frames()))
         chosen = self.times[-1] if time is None else min(self.times, key=lambda t: abs(t - time))
         cracks = self._crack_files.get(chosen)
         matrix = read_vtu(self._matrix_files[chosen])
@@ -267,6 +301,21 @@ class RunDirectory(RunPictures):
                                     + self._failure_or("did the run end? see run.log"))
         return path
 
+    @property
+    def lost_frames(self) -> bool:
+        """Whether the run came to its end with frames, and matrix.pvd, which lists them, is gone."""
+        wanted = self.resolved.get("output", {}).get("fields") is True
+        ended = self.has_summary and self.summary.get("outcome") == "finished"
+        return wanted and ended and not (self.path / "matrix.pvd").is_file()
+
+    def _reason_for_no_frames(self) -> str:
+        if self.resolved.get("output", {}).get("fields") is False:
+            return "the case sets output.fields = false"
+        if self.lost_frames:
+            return ("matrix.pvd, which lists them, is missing; copy the results anew from where they "
+                    "were made, or run the case again")
+        return "did the run end? see run.log"
+
     def _failure_or(self, other: str) -> str:
         """That the run failed, and of what; or `other` where it did not."""
         told = self.summary if self.has_summary else {}
@@ -282,12 +331,26 @@ class RunDirectory(RunPictures):
         return _series(self.path / "cracks.pvd")
 
 
+def _summary(text: str) -> dict:
+    summary = json.loads(text)
+    if not isinstance(summary, dict):
+        raise ValueError("not a JSON object")
+    return summary
+
+
 def _series(path: Path) -> dict[float, Path]:
     """The files of a ParaView collection by their time (s); empty where there is none."""
-    if not path.is_file():
-        return {}
-    entries = ElementTree.parse(path).getroot().iter("DataSet")
-    return {float(entry.get("timestep")): path.parent / entry.get("file") for entry in entries}
+    return read_file(path, partial(_entries, path.parent)) if path.is_file() else {}
+
+
+def _entries(folder: Path, text: str) -> dict[float, Path]:
+    files = {}
+    for entry in ElementTree.fromstring(text).iter("DataSet"):
+        time, name = entry.get("timestep", ""), entry.get("file")
+        if name is None or not math.isfinite(float(time)):
+            raise ValueError(f'timestep = "{time}", file = "{name}" is no frame')
+        files[float(time)] = folder / name
+    return files
 
 
 def open_run(path: str | os.PathLike) -> RunDirectory:

@@ -101,9 +101,12 @@ class Sweep:
     def __init__(self, folder: str | os.PathLike):
         self.folder = Path(folder)
         try:
-            self._plan = json.loads((self.folder / _PLAN).read_text(encoding="utf-8"))
+            plan = json.loads((self.folder / _PLAN).read_text(encoding="utf-8"))
+            self._plan = {name: plan[name] for name in ("case", "directory", "points")}
         except (OSError, ValueError) as error:
             raise CaseError(f"{folder}: error: no sweep here: {error}") from error
+        except (KeyError, TypeError) as error:
+            raise CaseError(f"{folder}: error: no sweep here: {_PLAN} is not a plan") from error
 
     @property
     def points(self) -> list[Point]:

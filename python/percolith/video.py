@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
+from percolith.errors import FileError
 from percolith.run_directory import RunDirectoryError
 from percolith.saving import replacing
 
@@ -41,13 +42,13 @@ def _even(image: Image.Image) -> Image.Image:
 
 def write_video(path: Path, pictures: Iterable[Image.Image], each: int, last: int) -> None:
     """Writes pictures of one size to `path`; each stays `each` ms, the last one `last` ms. A file
-    that was there stays until the new one is whole."""
+    that was there stays until the new one is whole. Raises FileError where it cannot be written."""
     av = require_encoder()
     try:
         with replacing(path) as part, av.open(str(part), "w", format="mp4") as file:
             _encode(av, file, pictures, each, last)
     except av.FFmpegError as error:
-        raise OSError(f"{path}: {error.strerror or error}") from error
+        raise FileError(f"{path}: cannot be written: {error.strerror or error}") from error
 
 
 def _encode(av, file, pictures: Iterable[Image.Image], each: int, last: int) -> None:

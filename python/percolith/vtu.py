@@ -13,11 +13,11 @@ from functools import partial
 import numpy as np
 
 from percolith.compressed_blocks import unpack
-from percolith.errors import Error
+from percolith.errors import Error, FileError
 
 _TYPES = {"Float64": "<f8", "Float32": "<f4", "Int32": "<i4", "Int64": "<i8", "UInt8": "u1"}
 
-_DAMAGE = (KeyError, ValueError, AttributeError, ElementTree.ParseError)
+_DAMAGE = (KeyError, ValueError, TypeError, AttributeError, ElementTree.ParseError)
 _SMALL = 2**24  # bytes of a file that is read whole; each larger one keeps a file open
 _END = b"</VTKFile>"
 
@@ -93,14 +93,16 @@ class Grid:
 
 
 def read_vtu(path: str | os.PathLike) -> Grid:
-    """Reads one field file. Raises VtuError with the name of the file where it cannot be read; what
-    is damaged within an array shows when that is asked for."""
+    """Reads one field file. Raises FileError where it cannot be read, and VtuError where it is
+    damaged, both with its name; what is damaged within an array shows when that is asked for."""
     try:
         with open(path, "rb") as file:
             small = os.fstat(file.fileno()).st_size <= _SMALL
             # Of a large file only what is asked for is fetched.
             return _read(file.read() if small else mmap.mmap(file.fileno(), 0,
                                                              access=mmap.ACCESS_READ), path)
+    except OSError as error:
+        raise FileError(f"{path}: cannot be read: {error.strerror or error}") from error
     except _DAMAGE as error:
         raise _damaged(path, error) from error
 

@@ -93,6 +93,19 @@ def test_the_python_reference_lists_all_that_the_package_exports():
     assert ":: percolith.mesh.fracture_network\n" in made
 
 
+def test_the_python_reference_has_what_a_simulation_hands_out():
+    tree = ast.parse((ROOT / "python/percolith/simulation.py").read_text(encoding="utf-8"))
+    (simulation,) = [part for part in tree.body if getattr(part, "name", "") == "Simulation"]
+    handed = {part.attr for function in simulation.body if isinstance(function, ast.FunctionDef)
+              and function.returns and not function.name.startswith("_")
+              for part in ast.walk(function.returns) if isinstance(part, ast.Attribute)
+              and getattr(part.value, "id", "") == "_core"}
+    assert {"Mesh", "Flow", "Motion"} <= handed
+    made = python_page.page()
+    for name in handed:
+        assert f":: percolith._core.{name}\n   :members:\n" in made, name
+
+
 def test_what_a_page_loads_or_links_to_in_vain_is_found(tmp_path):
     (tmp_path / "a.html").write_text(
         '<p id="here"><img src="https://example.org/a.png"><a href="b.html#there">b</a>'

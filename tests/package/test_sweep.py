@@ -16,7 +16,7 @@ import percolith
 import pytest
 from conftest import ROOT
 from percolith.simulation import reopen_run
-from percolith.sweeps import main
+from percolith.sweeps import Point, main
 
 OPTIONS = {"boundary.left.pressure": [1e5, "200 kPa"], "material.rock.porosity": [0.1, 0.2]}
 
@@ -150,6 +150,18 @@ def test_a_point_at_work_elsewhere_has_not_failed(case, tmp_path):
         with pytest.raises(percolith.CaseError, match="point 0: .*another run"):
             sweep.run_point(0)
         assert sweep.points[0].state == "waiting"
+
+
+@pytest.mark.parametrize("plan", ["[]", "{}", '{"points": []}', "{"])
+def test_a_damaged_plan_is_no_sweep(plan, tmp_path):
+    (tmp_path / "sweep.json").write_text(plan)
+    with pytest.raises(percolith.CaseError, match="no sweep here"):
+        percolith.Sweep(tmp_path)
+
+
+def test_a_point_with_a_damaged_summary_waits(tmp_path):
+    (tmp_path / "summary.json").write_text("[]")
+    assert Point(0, {}, tmp_path).state == "waiting"
 
 
 def test_a_folder_keeps_its_sweep(case, tmp_path):

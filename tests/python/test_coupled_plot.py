@@ -30,7 +30,7 @@ def run(directory):
 
 def test_a_run_is_what_it_has_left(run, tmp_path):
     assert run.has_flow and run.has_mechanics and not run.is_steady
-    assert fields_of(run)[:2] == ("pressure", "head") and "damage" in fields_of(run)
+    assert fields_of(run)[:2] == ("pressure", "saturation") and "damage" in fields_of(run)
     dry = write_mechanics_run(tmp_path / "dry")
     (dry / "resolved.toml").write_text('[model]\nphysics = "coupled"\n')
     assert RunDirectory(dry).has_mechanics and not RunDirectory(dry).has_flow
@@ -170,3 +170,19 @@ def test_rigid_bodies_are_grey_under_pressure_too(tmp_path):
     from percolith.field_picture import draw_field
     draw_field(run, frame, "pressure", tmp_path / "pressure.png")
     assert share_of(tmp_path / "pressure.png", "#B4B4B4") > 0.05
+
+
+def test_the_table_of_cracks_has_the_means_of_both_ends(coupled):
+    cracks = coupled.frame().cracks
+    table, wet = coupled.frame().crack_table(), carries_fluid(cracks)
+    assert 0 < wet.sum() < len(table)
+    for name in ("pressure_Pa", "saturation"):
+        ends = cracks.point_data[name][cracks.cells]
+        assert table[name][wet] == pytest.approx(0.5 * (ends[:, 0] + ends[:, 1])[wet])
+        assert np.isnan(table[name][~wet]).all()
+    assert (table["mode"] == cracks.cell_data["mode"]).all()
+
+
+def test_cracks_of_rock_at_rest_are_full(run_example):
+    table = run_example("single_fracture").results.frame().crack_table()
+    assert np.isfinite(table["pressure_Pa"]).all() and (table["pressure_Pa"] > 0).any()

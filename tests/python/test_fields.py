@@ -89,3 +89,10 @@ def test_units_come_from_names():
     assert scale_of("damage", [0.5]).label("Damage") == "Damage"
     assert format_value(3.2e-6, power_scale([3.2e-6], "m/s")) == "3.2 × $10^{\N{MINUS SIGN}6}$ m/s"
     assert format_value(2.5e6, pressure_scale([2.5e6])) == "2.5 MPa"
+
+
+def test_head_is_a_field_of_runs_with_gravity_alone(run_example, coupled):
+    assert "head" in run_example("double_fracture").results.fields
+    assert "head" not in coupled.fields and "pressure" in coupled.fields
+    with pytest.raises(RunDirectoryError, match="no head in this run; .*; head needs model.gravity"):
+        coupled.plot("head")

@@ -5,6 +5,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.collections import LineCollection
+from matplotlib.colors import to_rgb
 from matplotlib.quiver import Quiver
 from percolith import RunDirectory, RunDirectoryError, plot
 from percolith.crack_fields import (
@@ -14,7 +15,7 @@ from percolith.crack_fields import (
     range_of_cracks,
     shown_values,
 )
-from percolith.crack_picture import MODES
+from percolith.crack_picture import MODES, OUTLINE
 from percolith.model_figure import fitting_columns
 from percolith.overlays import CRACKS, Overlays, check_overlays
 from percolith.view import view_of_frame, view_of_times
@@ -156,8 +157,8 @@ def test_what_a_run_of_flow_lacks(tmp_path, capsys):
 
 
 @pytest.mark.parametrize("wrong, message", [
-    ({"time": "abc"}, "time = 'abc': no time; allowed: a number in s"),
-    ({"time": float("nan")}, "time = nan: no time"), ({"scale": "x"}, "scale = 'x': allowed: "),
+    ({"time": "abc"}, "time = 'abc': allowed: a finite number of s"),
+    ({"time": float("nan")}, "time = nan: allowed: a finite"), ({"scale": "x"}, "scale = 'x': allowed: "),
     ({"scale": -1}, "scale = -1: allowed: "), ({"window": [1, [2]]}, "window = .*; allowed: X0 X1"),
     ({"window": (1, 2, None, 3)}, "window = .*: not four numbers"), ({"field": 3}, "no 3 in this"),
     ({"window": (8, 9, 8, 9)}, "^window = 8 9 8 9: no rock there"),
@@ -206,3 +207,15 @@ def test_legends_fit_their_figures():
     long = ["past its peak (826)", "tensile (33)", "mixed (115)", "tension", "compression"]
     assert fitting_columns(long, 7.0) == 3
     assert fitting_columns(["longest arrow: 2.81 × $10^{-3}$ m/s"] * 2, 6.5) == 2
+
+
+def test_hardly_damaged_joints_can_be_told_from_their_outlines(coupled):
+    axes = coupled.plot("displacement", cracks="damage")
+    (cracks,) = [one for one in axes.collections
+                 if isinstance(one, LineCollection) and one.get_array() is not None]
+    low = np.array(cracks.cmap(0.0)[:3])
+    assert np.abs(low - np.array(to_rgb(OUTLINE))).max() > 0.25
+    axes = coupled.plot("displacement", cracks="aperture")
+    (cracks,) = [one for one in axes.collections
+                 if isinstance(one, LineCollection) and one.get_array() is not None]
+    assert cracks.cmap(0.0) == plt.get_cmap("inferno")(0.0)

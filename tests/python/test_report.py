@@ -198,6 +198,26 @@ def test_rows_of_mechanics(mechanics, without_pictures):
     assert ["boundary.top", "1 N/m", "1 ms", "−3 × 10⁶ N/m", "1.6 ms"] in page.rows
 
 
+def test_energy_held_at_the_start_closes_the_balance(mechanics, without_pictures, tmp_path):
+    path = shutil.copytree(mechanics, tmp_path / "run")
+    head, first, *rows = (path / "history.csv").read_text().splitlines()
+    names, values = head.split(","), first.split(",")
+    values[names.index("elastic_J_per_m")] = "320.5"
+    values[names.index("joint_J_per_m")] = "0.5"
+    (path / "history.csv").write_text("\n".join([head, ",".join(values), *rows]) + "\n")
+    (path / "summary.json").write_text(json.dumps({"end_time_s": 2e-3, "mechanics": {
+        "external_work_J_per_m": 47.0, "elastic_J_per_m": 367.0, "fracture_J_per_m": 1.0}}))
+    page = page_at(percolith.report(path))
+    shown = [float(page.value(name).removesuffix(" J/m")) for name in (
+        "held at the start", "given in all", "held and lost in all")]
+    assert shown == [321.0, 47.0, 368.0]
+
+
+def test_nothing_held_at_the_start_has_no_row(mechanics, without_pictures):
+    page = page_at(percolith.report(mechanics, mechanics / "other.html"))
+    assert not any(row[:1] == ["held at the start"] for row in page.rows)
+
+
 def test_rows_of_flow(flow, without_pictures):
     page = page_at(percolith.report(flow))
     summary = RunDirectory(flow).summary

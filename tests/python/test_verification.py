@@ -276,6 +276,14 @@ def make_frame():
     return Frame(0.0, matrix, cracks)
 
 
+def test_modes_have_the_colours_of_other_pictures():
+    import solid
+    from percolith.crack_picture import MODES
+
+    assert {number: (name, colour) for number, name, colour in solid.BROKEN} == {
+        number: MODES[number] for number in (1, 2, 3)}
+
+
 def test_sums_over_bodies():
     import solid
 

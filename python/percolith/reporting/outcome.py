@@ -10,7 +10,8 @@ import numpy as np
 from percolith.reporting.quantities import number_text, quantity_text
 from percolith.reporting.resolved_text import ResolvedText
 from percolith.reporting.tables import Table
-from percolith.run_directory import RunDirectory, Table as Columns
+from percolith.run_directory import RunDirectory, read_file
+from percolith.run_directory import Table as Columns
 
 UNFINISHED = "unfinished"
 
@@ -26,7 +27,7 @@ class Outcome:
 def read_log(run: RunDirectory) -> list[str]:
     """The lines of run.log; none where there is no such file."""
     path = run.path / "run.log"
-    return path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
+    return read_file(path, str.splitlines) if path.is_file() else []
 
 
 def history_of(run: RunDirectory) -> Columns | None:

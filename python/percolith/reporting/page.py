@@ -81,15 +81,16 @@ def _log(run: RunDirectory) -> str:
 
 
 def _view(run: RunDirectory, time: float | None, scale: float | None) -> ViewData | None:
-    return view_data(run, run.frame(time), scale) if run.times else None
+    wanted = run.times or run.lost_frames
+    return view_data(run, run.frame(time), scale) if wanted else None
 
 
 def page_of(run: RunDirectory, time: float | None = None, scale: float | None = None) -> str:
     """The page of a run as HTML. `time` (s) chooses the frame that fields and view show, None the
     last one; `scale` multiplies the displacements, None chooses the factor. Raises
-    RunDirectoryError where a file of a run that has ended is missing, VtuError where a field file
-    is damaged."""
-    resolved = (run.path / "resolved.toml").read_text(encoding="utf-8")
+    RunDirectoryError where a file of a run that has ended is missing or damaged, VtuError where a
+    field file is damaged, FileError where one cannot be read."""
+    resolved = run.resolved_text
     given = read_resolved(resolved)
     tables = [table for table in (_mesh(given), step_table(run, given)) if table]
     return _template().render(

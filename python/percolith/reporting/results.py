@@ -87,11 +87,24 @@ def _mass(run: RunDirectory, last: dict[str, Any]) -> list[Table]:
     return tables
 
 
-def _energy(results: dict[str, Any]) -> Table:
+def _held_at_the_start(run: RunDirectory) -> float:
+    """What the rock holds before anything happens (J/m), as under stress in place: the first row of
+    the history."""
+    history = history_of(run)
+    if not history:
+        return 0.0
+    return sum(float(history[name][0]) for name in HELD if name in history)
+
+
+def _energy(results: dict[str, Any], at_start: float) -> Table:
+    """The balance. What was held at the start and what came in is what is held and lost at the end,
+    but for what the balance lacks."""
     rows = _chosen(results, _ENERGY)
     given, held, lost = (sum(results.get(name, 0.0) for name in names)
                          for names in (INPUT, HELD, _LOST))
     if rows:
+        if at_start:
+            rows.append(["held at the start", quantity_text(at_start, "J/m")])
         rows.append(["given in all", quantity_text(given, "J/m")])
         rows.append(["held and lost in all", quantity_text(held + lost, "J/m")])
     if "residual_J_per_m" in results:
@@ -147,7 +160,7 @@ def result_tables(run: RunDirectory) -> list[Table]:
         counts = {name: int(results[name]) for name in (
             "broken_joints", "closed_joints", "fragments") if name in results}
         results = {**results, **counts}
-        tables += [_energy(results), _breakage(run, results),
+        tables += [_energy(results, _held_at_the_start(run)), _breakage(run, results),
                    Table("Cracks", _chosen(results, _CRACKS)), *_peaks(results),
                    Table("Motion", _chosen(results, _MOTION))]
     if run.has_flow:
