@@ -47,7 +47,7 @@ def check_field(run: RunDirectory, field: str | None) -> str | None:
     for name in (field, without_unit(str(field))):
         if name in known:
             return name
-    needs = "; head needs model.gravity > 0" if without_unit(field) == "head" else ""
+    needs = "; head needs model.gravity > 0" if without_unit(str(field)) == "head" else ""
     raise RunDirectoryError(f"{run.path}: no {field} in this run; there are: {', '.join(known)}"
                             + needs)
 
