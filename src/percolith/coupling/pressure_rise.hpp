@@ -12,15 +12,15 @@ class PressureRise {
 public:
   explicit PressureRise(const seepage::Model& water);
 
-  /// Takes the present pressures into account: those of pores, and of cracks that were open at the
-  /// start.
+  /// Takes the present pressures into account: those of pores, and of cracks that were full at the
+  /// start: where water only comes in, pressure rises from nothing in the shortest step.
   void see(const seepage::Model& water);
   /// The largest difference so far over the largest pressure it was seen with, 1.
   [[nodiscard]] double largest() const { return largest_; }
 
 private:
   std::vector<double> pores_, cracks_;  // Pa, at the start
-  std::vector<Index> open_;             // at the start
+  std::vector<Index> full_;             // nodes of cracks, at the start
   double largest_ = 0.0;
 };
 

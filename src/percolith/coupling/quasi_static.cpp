@@ -23,8 +23,13 @@ namespace {
 constexpr int most_iterations = 60;
 /// The shortest part of a step is 2^-10 of it.
 constexpr int most_halvings = 10;
-/// Of these iterations, those after which the rock is not at rest because cracks run on in it.
+/// Of these iterations, those after which the rock is not at rest because cracks run on in it: in
+/// motion, and on the way of the whole rock.
 constexpr int most_restless = 600;
+constexpr int most_growths = 60;
+/// Cracks may grow on the way of the whole rock as long as its books miss no more than this share
+/// of what breaking, friction and the medium took: they miss more where rock jumps.
+constexpr double largest_miss = 0.02;
 /// Evaluations of the forces in which the rock must come to rest as a whole.
 constexpr int most_pulls = 600;
 /// Steps of damped motion between two solutions of the flow while cracks run.
@@ -70,6 +75,12 @@ private:
   std::vector<Index> open_;
   std::vector<double> pressure_, saturation_;
 };
+
+/// What bonds, friction and damping took between two moments, J/m.
+double spent_between(const mechanics::EnergyBalance& a, const mechanics::EnergyBalance& b) {
+  return std::abs(b.fracture - a.fracture) + std::abs(b.friction - a.friction) +
+         std::abs(b.damping - a.damping);
+}
 
 /// A sentence with a space before it, or nothing where nothing broke.
 std::string place_of_last_break(const mechanics::Model& rock, const mechanics::Changes& changes) {
@@ -129,8 +140,7 @@ mechanics::Changes QuasiStatic::advance(double dt, Execution& execution) {
 
 /// From `start`, which is now.
 void QuasiStatic::advance_part(double dt, int halvings, const Moment& start, Execution& execution) {
-  pace_ = Pace::pulling;
-  Ending ending = solve(dt, halvings < most_halvings, execution);
+  Ending ending = solve_as_whole(dt, halvings < most_halvings, execution);
   if (ending.wants_motion && !gave_up_) {
     try_again_from(start);
     pace_ = Pace::swinging;
@@ -153,6 +163,20 @@ void QuasiStatic::advance_part(double dt, int halvings, const Moment& start, Exe
   }
 }
 
+/// Cracks that grow steadily are followed as well; those that run on want motion.
+QuasiStatic::Ending QuasiStatic::solve_as_whole(double dt, bool may_be_too_long,
+                                                Execution& execution) {
+  const mechanics::EnergyBalance before = model_->rock.energy(execution);
+  pace_ = Pace::pulling;
+  Ending ending = solve(dt, may_be_too_long, execution);
+  if (ending.broke && !ending.is_too_long) {
+    const mechanics::EnergyBalance after = model_->rock.energy(execution);
+    ending.wants_motion = !ending.is_solved || std::abs(after.residual - before.residual) >
+                                                   largest_miss * spent_between(before, after);
+  }
+  return ending;
+}
+
 void QuasiStatic::accept(double dt) {
   ++parts_;
   const auto booked = flow_->bookings();
@@ -170,17 +194,18 @@ QuasiStatic::Ending QuasiStatic::solve(double dt, bool may_be_too_long, Executio
   bool broke = false;
   int settled = 0;
   int restless = 0;
-  while (settled < most_iterations && restless < most_restless) {
+  const int patience = pace_ == Pace::pulling ? most_growths : most_restless;
+  while (settled < most_iterations && restless < patience) {
     ++iterations_;
     const std::vector<double> before = pressures_of(model_->water);
     if (!solve_flow(dt, execution)) {
-      return {};
+      return {.broke = broke};
     }
     flow_->show_pressures(model_->water);
     approach.see(before, pressures_of(model_->water), model_->water.state.pressure.size(),
                  softness_);
     if (is_settled(approach)) {
-      return {.is_solved = true, .distance = approach.distance()};
+      return {.is_solved = true, .broke = broke, .distance = approach.distance()};
     }
     soften(approach);
     if (!broke) {
@@ -188,20 +213,20 @@ QuasiStatic::Ending QuasiStatic::solve(double dt, bool may_be_too_long, Executio
     }
     model_->rock.model().motion.time = time_ + dt;
     relax(execution);
-    if (pace_ == Pace::pulling && !is_at_rest_) {
+    if (pace_ == Pace::pulling && !is_at_rest_ && !broke_) {
       return {.wants_motion = true};
     }
     broke = broke || broke_;
     (is_at_rest_ ? settled : restless) += 1;
     if (gave_up_ || (may_be_too_long && broke && rise.largest() > largest_rise)) {
-      return {.is_too_long = true, .distance = approach.distance()};
+      return {.is_too_long = true, .broke = broke, .distance = approach.distance()};
     }
     measure(execution);
     if (broke_ || !is_at_rest_) {
       approach.forget();
     }
   }
-  return {.distance = approach.distance()};
+  return {.broke = broke, .distance = approach.distance()};
 }
 
 /// The first pressures are those of a rock that has not felt this step yet.
@@ -262,12 +287,13 @@ void QuasiStatic::relax(Execution& execution) {
     settle(execution);
     break;
   }
-  relaxation_.end();
+  relaxation_.end(execution);
 }
 
-/// Where rock breaks, or lies so that it goes nowhere as a whole, it ends short of rest.
+/// Where rock breaks, so that the fluid is asked before it goes on, or lies so that it goes nowhere
+/// as a whole, it ends short of rest.
 void QuasiStatic::pull_to_rest(Execution& execution) {
-  relaxation_.begin();
+  relaxation_.begin(execution);
   for (int step = 1; step <= most_pulls && !is_asked_to_stop(); ++step) {
     take(relaxation_.pull(execution), execution);
     if (broke_ || relaxation_.is_lost()) {
@@ -283,7 +309,7 @@ void QuasiStatic::pull_to_rest(Execution& execution) {
 /// Some steps from rest before the fluid is asked again: what breaks must feel at once how the
 /// pressure falls in the room that it makes.
 void QuasiStatic::follow_cracks(Execution& execution) {
-  relaxation_.begin();
+  relaxation_.begin(execution);
   for (int step = 0; step < steps_with_cracks && !is_asked_to_stop(); ++step) {
     take(relaxation_.swing(execution), execution);
   }
@@ -294,7 +320,7 @@ void QuasiStatic::follow_cracks(Execution& execution) {
 }
 
 void QuasiStatic::swing_to_rest(Execution& execution) {
-  relaxation_.begin();
+  relaxation_.begin(execution);
   int balanced = 0;
   for (int step = 1; step <= most_swings && !is_asked_to_stop() && !broke_; ++step) {
     take(relaxation_.swing(execution), execution);

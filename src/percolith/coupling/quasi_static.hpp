@@ -54,11 +54,13 @@ private:
   struct Ending {
     bool is_solved = false;
     bool is_too_long = false;   // rock broke, at pressures that had risen too far
-    bool wants_motion = false;  // it breaks, or lies so that it goes nowhere as a whole
+    bool wants_motion = false;  // it goes nowhere as a whole
+    bool broke = false;         // joints broke, or let fluid in
     double distance = 0.0;      // of the pressures from those looked for, over the largest
   };
 
   void advance_part(double dt, int halvings, const Moment& start, Execution& execution);
+  [[nodiscard]] Ending solve_as_whole(double dt, bool may_be_too_long, Execution& execution);
   void accept(double dt);
   [[nodiscard]] Ending solve(double dt, bool may_be_too_long, Execution& execution);
   [[nodiscard]] bool solve_flow(double dt, Execution& execution);

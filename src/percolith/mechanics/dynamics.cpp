@@ -77,6 +77,16 @@ Changes Dynamics::advance(double dt, Execution& execution) {
   return step(motion_law(model_, dt), execution);
 }
 
+/// How far the pores have grown, in the present places.
+static void measure_growth(Model& model) {
+  const SolidForces solid(model);
+  for (Index t = 0; solid.is_wet() && t < model.mesh.triangles(); ++t) {
+    const auto u = load_corners<ScalarLane>(model.motion.ux.data(), model.motion.uy.data(),
+                                            mesh::corner_of(t, 0));
+    model.pores.growth[at(t)] = solid.pore_growth<ScalarLane>(t, u);
+  }
+}
+
 Changes Dynamics::creep(double dt, Execution& execution) {
   return step(creeping_law(dt, true), execution);
 }
@@ -108,11 +118,19 @@ void Dynamics::shift(std::span<const double> way, double dt, Execution& executio
   travelled_ = std::sqrt(furthest);
 }
 
-void Dynamics::halt() {
+void Dynamics::halt(Execution& execution) {
+  Motion& m = model_.motion;
+  const double back = 0.5 * m.last_step;
+  for (std::size_t c = 0; c < m.ux.size(); ++c) {
+    m.ux[c] -= back * m.vx[c];
+    m.uy[c] -= back * m.vy[c];
+  }
+  std::fill(m.vx.begin(), m.vx.end(), 0.0);
+  std::fill(m.vy.begin(), m.vy.end(), 0.0);
   model_.energy.damping += model_.energy.kinetic;
   model_.energy.kinetic = 0.0;
-  std::fill(model_.motion.vx.begin(), model_.motion.vx.end(), 0.0);
-  std::fill(model_.motion.vy.begin(), model_.motion.vy.end(), 0.0);
+  measure_growth(model_);
+  measure_faces(model_, execution);
 }
 
 Changes Dynamics::step(const MotionLaw& law, Execution& execution) {

@@ -31,8 +31,9 @@ public:
   /// Moves the corners, on which `pull` has left its velocities, by `way` (m), x and y in turn per
   /// corner slot, and books works and energies.
   void shift(std::span<const double> way, double dt, Execution& execution);
-  /// Takes all velocities away, and their energy as damping would.
-  void halt();
+  /// Takes all velocities away, and their energy as damping would. Corners go back to where they
+  /// were in the middle of the last step: works are booked up to there.
+  void halt(Execution& execution);
 
   /// Takes regions' triangles out at the present time; the forces they gave to the rest fade over
   /// `duration` (s), while a fluid of `pressure` (Pa) comes to press on the walls they leave.

@@ -2,6 +2,7 @@
 #include "percolith/mechanics/joined_rock.hpp"
 
 #include "percolith/mechanics/joint.hpp"
+#include "percolith/mechanics/joint_points.hpp"
 #include "percolith/mechanics/triangle.hpp"
 
 #include <Eigen/SparseCholesky>
@@ -206,6 +207,31 @@ double JoinedRock::careful_share(const Model& model, std::span<const double> way
     }
   }
   return fastest > careful ? careful / fastest : 1.0;
+}
+
+double JoinedRock::share_to_meeting(const Model& model, std::span<const double> way,
+                                    double unbalanced) const {
+  const double force = unbalanced / std::max<double>(1.0, static_cast<double>(soft_.size()));
+  double share = 1.0;
+  for (const SoftJoint& soft : soft_) {
+    const Index j = soft.joint;
+    if (model.joints.state[at(j)] != JointState::broken) {
+      continue;
+    }
+    const JointPoints now = joint_openings(model, j);
+    const double give = force / (model.joints.full_stiffness[at(j)] * model.joints.length[at(j)]);
+    const auto& corner = model.mesh.joint[at(j)].corner;
+    for (std::size_t end = 0; end < 2; ++end) {
+      const std::size_t a = 2 * at(corner[0][end]);
+      const std::size_t b = 2 * at(corner[1][end]);
+      const double parting = dot(Point{way[b] - way[a], way[b + 1] - way[a + 1]}, now.place.across);
+      const double room = now.opening[end] + give;
+      if (now.opening[end] > 0.0 && parting < -room) {
+        share = std::min(share, -room / parting);
+      }
+    }
+  }
+  return share;
 }
 
 }  // namespace percolith::mechanics

@@ -35,6 +35,12 @@ public:
   /// of the range over which it does.
   [[nodiscard]] double careful_share(const Model& model, std::span<const double> way) const;
 
+  /// The share of `way`, at most 1, on which open faces overlap by no more than what the force
+  /// `unbalanced` (N/m), if all joints that are not whole shared it, would press them into each
+  /// other: the stiffness does not know of faces that are apart.
+  [[nodiscard]] double share_to_meeting(const Model& model, std::span<const double> way,
+                                        double unbalanced) const;
+
 private:
   struct Factor;
 

@@ -21,8 +21,11 @@ constexpr double swing_damping = 0.7;
 /// Forces that have lost less than this share call for a new look at the joints.
 constexpr double slow = 0.5;
 constexpr double smallest_share = 0.01;
+constexpr double largest_share = 16.0;
 /// Cosine of the angle between two ways below which the second takes back the first.
 constexpr double back = -0.25;
+/// The same above which the second goes on where the first led.
+constexpr double ahead = 0.9;
 /// No corner goes further at once than this share of the smallest joint.
 constexpr double longest_way = 0.02;
 /// Bonds that let less than this share of a way be gone hold the rock back.
@@ -46,12 +49,13 @@ Relaxation::Relaxation(Dynamics& rock)
   }
 }
 
-void Relaxation::begin() {
-  rock_->halt();
+void Relaxation::begin(Execution& execution) {
+  rock_->halt(execution);
   rock_->model().motion.last_step = step_length;
   turn_ = 0;
   share_ = 1.0;
   unbalanced_ = 0.0;
+  least_unbalanced_ = std::numeric_limits<double>::infinity();
   rising_ = 0;
   held_back_ = 0;
   std::fill(last_way_.begin(), last_way_.end(), 0.0);
@@ -63,8 +67,18 @@ Changes Relaxation::pull(Execution& execution) {
     return rock_->creep(step_length, execution);
   }
   Changes changes = rock_->pull(step_length, execution);
-  go_whole(execution);
+  if (changes.any()) {
+    stay(execution);
+  } else {
+    go_whole(execution);
+  }
   return changes;
+}
+
+/// What broke changes the forces that the way would follow.
+void Relaxation::stay(Execution& execution) {
+  std::fill(way_.begin(), way_.end(), 0.0);
+  rock_->shift(way_, step_length, execution);
 }
 
 void Relaxation::go_whole(Execution& execution) {
@@ -74,16 +88,21 @@ void Relaxation::go_whole(Execution& execution) {
   }
   rising_ = unbalanced_ > 0.0 && unbalanced > unbalanced_ ? rising_ + 1 : 0;
   unbalanced_ = unbalanced;
+  least_unbalanced_ = std::min(least_unbalanced_, unbalanced);
   read_pull();
   joined_.find_way(rock_->model(), pull_, way_);
   judge_turn();
+  scale_way(share_);
   const double longest = longest_share();
-  held_back_ = longest < hampered ? held_back_ + 1 : 0;
-  const double share = std::min(share_, longest);
+  held_back_ = longest < 1.0 && share_ * longest < hampered ? held_back_ + 1 : 0;
+  scale_way(std::min(longest, joined_.share_to_meeting(rock_->model(), way_, unbalanced)));
+  rock_->shift(way_, step_length, execution);
+}
+
+void Relaxation::scale_way(double share) {
   for (double& w : way_) {
     w *= share;
   }
-  rock_->shift(way_, step_length, execution);
 }
 
 /// Forces from the velocities that they gave masses at rest.
@@ -100,11 +119,18 @@ void Relaxation::read_pull() {
   }
 }
 
-/// Joints that open on one way and shut on the next would go on so for ever.
+/// Joints that open on one way and shut on the next would go on so for ever; ways that follow each
+/// other in one direction are too short, because secants are stiffer than what they stand for.
 void Relaxation::judge_turn() {
   const double along = std::inner_product(way_.begin(), way_.end(), last_way_.begin(), 0.0);
-  const bool turns_back = along < back * length(way_) * length(last_way_);
-  share_ = turns_back ? std::max(smallest_share, 0.5 * share_) : std::min(1.0, 1.5 * share_);
+  const double both = length(way_) * length(last_way_);
+  if (along < back * both) {
+    share_ = std::max(smallest_share, 0.5 * std::min(1.0, share_));
+  } else if (along > ahead * both && rising_ == 0) {
+    share_ = std::min(largest_share, 1.5 * share_);
+  } else {
+    share_ = std::min(1.0, 1.5 * share_);
+  }
   last_way_ = way_;
 }
 

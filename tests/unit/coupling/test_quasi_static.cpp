@@ -130,6 +130,9 @@ std::size_t broken_after_an_hour(double dt) {
   EXPECT_LT(coupled.mass_error(), 1e-13);
   // It has found the room that the fluid needs, which an iteration that creeps has not.
   EXPECT_NEAR(fluid_in_cracks(coupled.water()) / full_cracks(coupled.water()), 1.0, 3e-2);
+  const mechanics::EnergyBalance energy = coupled.rock().energy(execution);
+  EXPECT_GT(energy.fracture, 0.0);
+  EXPECT_LT(std::abs(energy.residual), 1e-4 * energy.fluid);
   return broke;
 }
 

@@ -39,11 +39,11 @@ Dynamics pushed(const test::SolidOptions& options = {}, double traction = 1e5) {
 int pull_to_rest(Dynamics& rock, double tolerance = 1e-9) {
   Relaxation relaxation(rock);
   Execution execution;
-  relaxation.begin();
+  relaxation.begin(execution);
   for (int step = 1; step <= 2000; ++step) {
     relaxation.pull(execution);
     if (rock.unbalanced_ratio() < tolerance) {
-      relaxation.end();
+      relaxation.end(execution);
       return step;
     }
   }
@@ -109,6 +109,30 @@ TEST(Relaxation, BooksTheWorksOfItsWays) {
   }
 }
 
+/// Breakage ends a relaxation in mid-way: what was done up to there is in the books all the same.
+TEST(Relaxation, BooksTheWorksOfWaysThatEndShortOfRest) {
+  const auto missed = [](int steps, auto&& step) {
+    Dynamics rock = pushed();
+    Relaxation relaxation(rock);
+    Execution execution;
+    relaxation.begin(execution);
+    for (int n = 0; n < steps; ++n) {
+      step(relaxation, execution);
+    }
+    EXPECT_GT(rock.unbalanced_ratio(), 0.01);
+    relaxation.end(execution);
+    const EnergyBalance energy = rock.energy(execution);
+    EXPECT_GT(energy.elastic + energy.joint, 0.01 * energy.external);
+    return std::abs(energy.residual) / energy.external;
+  };
+  for (const int steps : {3, 5, 10, 25}) {
+    const double swinging = missed(steps, [](Relaxation& r, Execution& e) { r.swing(e); });
+    const double pulling = missed(steps, [](Relaxation& r, Execution& e) { r.pull(e); });
+    EXPECT_LT(swinging, 5e-3) << steps;
+    EXPECT_LT(pulling, 5e-3) << steps;
+  }
+}
+
 /// Nothing holds the block, so it has no place of its own: it keeps its middle.
 TEST(Relaxation, ALooseBlockStaysWhereItIs) {
   Model model = test::make_solid(test::make_grid(grid));
@@ -149,6 +173,39 @@ TEST(JoinedRock, GoesWhereTiedRockIsInBalanceAtOnce) {
   rock.pull(step, execution);
   // Strains are small but not infinitely so.
   EXPECT_LT(rock.model().energy.unbalanced, 1e-4 * before);
+}
+
+/// A joint of two triangles whose broken faces have gone apart by a tenth of a millimetre, as a way
+/// brings them together by half of one, on one end, or further apart.
+TEST(JoinedRock, StopsWhereOpenFacesMeet) {
+  const double gap = 1e-4;
+  Model model = test::make_solid(test::make_grid({.columns = 1, .rows = 1}),
+                                 {.kind = test::joint_kind(1e6, 3e6, 100.0, 200.0)});
+  const Index j = 0;
+  const mesh::Joint& joint = model.mesh.joint[at(j)];
+  const Point across = joint_openings(model, j).place.across;
+  model.joints.state[at(j)] = JointState::broken;
+  for (const Index c : joint.corner[1]) {
+    model.motion.ux[at(c)] = gap * across.x;
+    model.motion.uy[at(c)] = gap * across.y;
+  }
+  JoinedRock joined(model);
+  joined.refresh(model);
+  std::vector<double> way(2 * model.motion.ux.size(), 0.0);
+  const auto go = [&](double length) {
+    const auto c = at(joint.corner[1][0]);
+    way[2 * c] = length * across.x;
+    way[2 * c + 1] = length * across.y;
+  };
+  go(-5.0 * gap);
+  EXPECT_NEAR(joined.share_to_meeting(model, way, 0.0), 0.2, 0.02);
+  const double give = 0.5 * gap;
+  const double force = give * model.joints.full_stiffness[at(j)] * model.joints.length[at(j)];
+  EXPECT_NEAR(joined.share_to_meeting(model, way, force), 0.3, 0.02);
+  go(-0.9 * gap);
+  EXPECT_EQ(joined.share_to_meeting(model, way, 0.0), 1.0);
+  go(5.0 * gap);
+  EXPECT_EQ(joined.share_to_meeting(model, way, 0.0), 1.0);
 }
 
 /// Where bonds have softened their secant holds, at least a fiftieth of what it was.
