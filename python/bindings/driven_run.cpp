@@ -107,7 +107,7 @@ bool DrivenRun::advance(double until, std::int64_t steps, bool at_output) {
       begin_unlocked();
       reached = run_->advance([&] { return interrupts.should_stop(); }, {until, steps, at_output});
       if (reached == simulation::Reached::stop) {
-        run_->interrupt("SIGINT");
+        run_->interrupt(interrupts.signal_name());
       }
     } catch (...) {
       over_ = true;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "interrupts.hpp"
 
+#include <nanobind/stl/string.h>
+
 namespace nb = nanobind;
 
 namespace percolith::python {
@@ -19,6 +21,14 @@ bool Interrupts::should_stop() {
     raised_.emplace();
   }
   return raised_.has_value();
+}
+
+std::string Interrupts::signal_name() const {
+  const nb::gil_scoped_acquire lock;
+  if (raised_ && nb::hasattr(raised_->value(), "signal_name")) {
+    return nb::cast<std::string>(raised_->value().attr("signal_name"));
+  }
+  return "SIGINT";
 }
 
 }  // namespace percolith::python

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <string>
 
 namespace percolith::python {
 
@@ -17,6 +18,9 @@ public:
   bool should_stop();
   /// The exception, once `should_stop` is true.
   [[nodiscard]] const std::optional<nanobind::python_error>& raised() const { return raised_; }
+  /// Of the signal that was answered by the exception: its attribute `signal_name` where it has
+  /// one, otherwise SIGINT.
+  [[nodiscard]] std::string signal_name() const;
 
 private:
   using Clock = std::chrono::steady_clock;

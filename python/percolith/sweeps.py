@@ -346,6 +346,8 @@ def _parser() -> argparse.ArgumentParser:
 class _Terminated(KeyboardInterrupt):
     """SIGTERM asks for what Ctrl-C does."""
 
+    signal_name = "SIGTERM"  # for the summary and the log of the run that it ends
+
 
 @contextmanager
 def _heeding_sigterm() -> Iterator[None]:

@@ -232,6 +232,8 @@ def test_a_signal_ends_a_job_that_goes_on_later(case, tmp_path, words, ending):
     assert f"{sweep.folder}: ended by {ending.name}; results and checkpoints are kept" in told
     for point in begun:
         assert point.state == "interrupted" and (point.folder / "checkpoint.bin").is_file()
+        if "--point" in words:
+            assert f"interrupted by {ending.name}" in (point.folder / "run.log").read_text()
         steps = point.results().summary["steps"]
         run = reopen_run(point.folder)
         run.advance(float("inf"), 5, False)
