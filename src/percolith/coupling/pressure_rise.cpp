@@ -3,14 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace percolith::coupling {
 
 PressureRise::PressureRise(const seepage::Model& water)
-    : pores_(water.state.pressure), cracks_(water.state.crack_pressure),
-      full_(water.cracks.open_nodes()) {
-  std::erase_if(full_, [&](Index v) { return water.state.crack_saturation[at(v)] < 1.0; });
+    : pores_(water.state.pressure), cracks_(water.state.crack_pressure) {
+  for (const double p : pores_) {
+    highest_ = std::max(highest_, p);
+  }
+  for (const Index v : water.cracks.open_nodes()) {
+    highest_ = std::max(highest_, cracks_[at(v)]);
+    (water.state.crack_saturation[at(v)] < 1.0 ? filling_ : full_).push_back(v);
+  }
 }
 
 void PressureRise::see(const seepage::Model& water) {
@@ -25,6 +29,10 @@ void PressureRise::see(const seepage::Model& water) {
   }
   for (const Index v : full_) {
     compare(cracks_[at(v)], water.state.crack_pressure[at(v)]);
+  }
+  for (const Index v : filling_) {
+    const double now = water.state.crack_pressure[at(v)];
+    compare(std::min(now, highest_), now);
   }
   largest_ = std::max(largest_, difference / scale);
 }

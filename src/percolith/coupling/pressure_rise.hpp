@@ -12,15 +12,17 @@ class PressureRise {
 public:
   explicit PressureRise(const seepage::Model& water);
 
-  /// Takes the present pressures into account: those of pores, and of cracks that were full at the
-  /// start: where water only comes in, pressure rises from nothing in the shortest step.
+  /// Takes the present pressures into account: those of pores, and of cracks that were open at the
+  /// start. Where a crack was only filling, water brings the pressure it had elsewhere: what counts
+  /// is by how much that is above the highest at the start.
   void see(const seepage::Model& water);
   /// The largest difference so far over the largest pressure it was seen with, 1.
   [[nodiscard]] double largest() const { return largest_; }
 
 private:
   std::vector<double> pores_, cracks_;  // Pa, at the start
-  std::vector<Index> full_;             // nodes of cracks, at the start
+  std::vector<Index> full_, filling_;   // nodes of cracks, at the start
+  double highest_ = 0.0;                // Pa, at the start
   double largest_ = 0.0;
 };
 

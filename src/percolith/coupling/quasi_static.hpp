@@ -54,7 +54,7 @@ private:
   struct Ending {
     bool is_solved = false;
     bool is_too_long = false;   // rock broke, at pressures that had risen too far
-    bool wants_motion = false;  // it goes nowhere as a whole
+    bool wants_motion = false;  // the whole rock does not go on steadily
     bool broke = false;         // joints broke, or let fluid in
     double distance = 0.0;      // of the pressures from those looked for, over the largest
   };

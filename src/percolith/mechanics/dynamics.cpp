@@ -34,6 +34,22 @@ EnergyStart start_of(const Model& model, const JointTable& table) {
   return start;
 }
 
+/// How far the pores have grown, in the present places.
+struct MeasureGrowth {
+  explicit MeasureGrowth(Model& model) : solid(model), motion(&model.motion), pores(&model.pores) {}
+
+  void operator()(ScalarLane lane) const {
+    const Index t = lane.first;
+    const auto u =
+        load_corners<ScalarLane>(motion->ux.data(), motion->uy.data(), mesh::corner_of(t, 0));
+    pores->growth[at(t)] = solid.pore_growth<ScalarLane>(t, u);
+  }
+
+  SolidForces solid;
+  const Motion* motion;
+  PoreFluid* pores;
+};
+
 }  // namespace
 
 std::vector<std::uint8_t> contact_candidates(const Model& model) {
@@ -77,16 +93,6 @@ Changes Dynamics::advance(double dt, Execution& execution) {
   return step(motion_law(model_, dt), execution);
 }
 
-/// How far the pores have grown, in the present places.
-static void measure_growth(Model& model) {
-  const SolidForces solid(model);
-  for (Index t = 0; solid.is_wet() && t < model.mesh.triangles(); ++t) {
-    const auto u = load_corners<ScalarLane>(model.motion.ux.data(), model.motion.uy.data(),
-                                            mesh::corner_of(t, 0));
-    model.pores.growth[at(t)] = solid.pore_growth<ScalarLane>(t, u);
-  }
-}
-
 Changes Dynamics::creep(double dt, Execution& execution) {
   return step(creeping_law(dt, true), execution);
 }
@@ -125,12 +131,18 @@ void Dynamics::halt(Execution& execution) {
     m.ux[c] -= back * m.vx[c];
     m.uy[c] -= back * m.vy[c];
   }
+  // Faces that slide have come along.
+  contact_.advance(model_.mesh, motion_of(model_), travelled_, back, execution);
   std::fill(m.vx.begin(), m.vx.end(), 0.0);
   std::fill(m.vy.begin(), m.vy.end(), 0.0);
   model_.energy.damping += model_.energy.kinetic;
   model_.energy.kinetic = 0.0;
-  measure_growth(model_);
+  if (SolidForces(model_).is_wet()) {
+    execution.for_each("pore growth", model_.mesh.triangles(), MeasureGrowth(model_));
+  }
   measure_faces(model_, execution);
+  book_faces(model_);
+  book_pores(model_);
 }
 
 Changes Dynamics::step(const MotionLaw& law, Execution& execution) {

@@ -225,9 +225,10 @@ double JoinedRock::share_to_meeting(const Model& model, std::span<const double> 
       const std::size_t a = 2 * at(corner[0][end]);
       const std::size_t b = 2 * at(corner[1][end]);
       const double parting = dot(Point{way[b] - way[a], way[b + 1] - way[a + 1]}, now.place.across);
-      const double room = now.opening[end] + give;
-      if (now.opening[end] > 0.0 && parting < -room) {
-        share = std::min(share, -room / parting);
+      // Contact knows where faces are, not with what opening joints began.
+      const double open = dot(now.place.apart[end], now.place.across);
+      if (open > 0.0 && parting < -(open + give)) {
+        share = std::min(share, -(open + give) / parting);
       }
     }
   }

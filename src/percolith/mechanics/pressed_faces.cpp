@@ -89,6 +89,13 @@ void press_faces(Model& model, Execution& execution) {
   model.energy.fluid_work += totals.sum[0];
 }
 
+void book_faces(Model& model) {
+  model.energy.fluid_work += work_on_faces_since(model, 0.0);
+  for (PressedFaces& faces : model.pressed) {
+    faces.last_opening = faces.opening;
+  }
+}
+
 std::array<Point, 2> force_of_fluid(const Model& model, Index joint) {
   const auto faces = std::lower_bound(
       model.pressed.begin(), model.pressed.end(), joint,

@@ -35,4 +35,8 @@ void forget_pressed(Model& model, const std::function<bool(Index)>& gone);
 /// `joint_points` takes it, J/m.
 [[nodiscard]] double work_on_faces_since(const Model& model, double back);
 
+/// Books the work of the last pressures up to the openings measured last: the next ones act from
+/// there on.
+void book_faces(Model& model);
+
 }  // namespace percolith::mechanics

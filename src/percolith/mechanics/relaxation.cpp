@@ -124,9 +124,11 @@ void Relaxation::read_pull() {
 void Relaxation::judge_turn() {
   const double along = std::inner_product(way_.begin(), way_.end(), last_way_.begin(), 0.0);
   const double both = length(way_) * length(last_way_);
+  const bool went_too_far =
+      share_ > 1.0 && std::inner_product(pull_.begin(), pull_.end(), last_way_.begin(), 0.0) < 0.0;
   if (along < back * both) {
     share_ = std::max(smallest_share, 0.5 * std::min(1.0, share_));
-  } else if (along > ahead * both && rising_ == 0) {
+  } else if (along > ahead * both && rising_ == 0 && !went_too_far) {
     share_ = std::min(largest_share, 1.5 * share_);
   } else {
     share_ = std::min(1.0, 1.5 * share_);

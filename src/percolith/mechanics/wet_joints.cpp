@@ -28,6 +28,24 @@ std::array<double, 2> push_in_joint(const Model& model, Index joint) {
           alpha * (gauss_weight(1) * at_end[0] + gauss_weight(0) * at_end[1])};
 }
 
+void book_pores(Model& model) {
+  if (model.pores.joint_share.empty()) {
+    return;
+  }
+  for (Index j = 0; j < model.mesh.joints(); ++j) {
+    if (model.pores.joint_share[at(j)] == 0.0) {
+      continue;
+    }
+    const std::array<double, 2> now = joint_openings(model, j).opening;
+    const double half = 0.5 * model.mesh.joint_length(j);
+    for (std::size_t g = 0; g < 2; ++g) {
+      double& before = model.pores.opening[g][at(j)];
+      model.energy.fluid_work += half * model.pores.push[g][at(j)] * (now[g] - before);
+      before = now[g];
+    }
+  }
+}
+
 void leave_pores(Model& model, Index joint) {
   if (model.pores.joint_share.empty()) {
     return;

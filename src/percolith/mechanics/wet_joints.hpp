@@ -75,6 +75,10 @@ private:
 /// points, Pa; 0 in other joints.
 [[nodiscard]] std::array<double, 2> push_in_joint(const Model& model, Index joint);
 
+/// Books the work of the last pore pressure in bonded joints up to the present places: the next
+/// one acts from here on.
+void book_pores(Model& model);
+
 /// Takes the pore pressure out of a joint and books the work of its last force: from now on its
 /// faces are pressed by a crack, or part.
 void leave_pores(Model& model, Index joint);

