@@ -82,8 +82,8 @@ private:
   std::vector<double> pressure_, saturation_;
 };
 
-/// Whether cracks have grown steadily between two moments: their energy is accounted for, and little
-/// of it is lost on the way.
+/// Whether cracks have grown steadily between two moments: their energy is accounted for, and
+/// little of it is lost on the way.
 bool grew_steadily(const mechanics::EnergyBalance& a, const mechanics::EnergyBalance& b) {
   const double spent = std::abs(b.fracture - a.fracture) + std::abs(b.friction - a.friction);
   const double allowed =
