@@ -43,8 +43,7 @@ struct Elsewhere {
 
 constexpr std::string_view conduction_of_cracks =
     "a fracture conducts by its aperture a, as a^3/12 (cubic law): initial_aperture; "
-    "transmissivity "
-    "replaces that law";
+    "transmissivity replaces that law";
 constexpr std::array<Elsewhere, 6> known_elsewhere{{
     {"fracture", "permeability", conduction_of_cracks},
     {"fracture", "conductivity", conduction_of_cracks},

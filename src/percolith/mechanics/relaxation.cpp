@@ -35,6 +35,13 @@ double length(std::span<const double> v) {
   return std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.0));
 }
 
+/// As every relaxation leaves it, so that its end need not be gone through again at the next start.
+bool is_still(const Motion& motion) {
+  const auto none = [](double v) { return v == 0.0; };
+  return std::all_of(motion.vx.begin(), motion.vx.end(), none) &&
+         std::all_of(motion.vy.begin(), motion.vy.end(), none);
+}
+
 }  // namespace
 
 Relaxation::Relaxation(Dynamics& rock)
@@ -50,7 +57,9 @@ Relaxation::Relaxation(Dynamics& rock)
 }
 
 void Relaxation::begin(Execution& execution) {
-  rock_->halt(execution);
+  if (!is_still(rock_->model().motion)) {
+    rock_->halt(execution);
+  }
   rock_->model().motion.last_step = step_length;
   turn_ = 0;
   share_ = 1.0;

@@ -23,9 +23,8 @@ std::string rest_text(const simulation::Summary& summary) {
   if (settlement->is_rest && summary.reached_rest) {
     return ", settled: the fluid is at rest";
   }
-  return fmt::format(", {}: {} {:.2g} of what flows through",
-                     summary.reached_rest ? "settled" : "not settled",
-                     "what is stored and given up is", settlement->change);
+  return fmt::format(", {}: what is stored and given up is {:.2g} of what flows through",
+                     summary.reached_rest ? "settled" : "not settled", settlement->change);
 }
 
 std::string end_text(const simulation::Summary& summary, bool is_steady) {

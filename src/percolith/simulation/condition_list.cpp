@@ -21,9 +21,8 @@ constexpr const char* ways_to_press_enough =
     "fluid.cavitation_pressure = \"-inf\"";
 constexpr const char* ways_to_end_at_the_head =
     "a head not below the top of the boundary: split it in the mesh into a wet part, which keeps "
-    "the "
-    "head, and the part above, without a condition or with seepage_face = 0 where water may come "
-    "out; or fluid.cavitation_pressure = \"-inf\"";
+    "the head, and the part above, without a condition or with seepage_face = 0 where water may "
+    "come out; or fluid.cavitation_pressure = \"-inf\"";
 
 /// Whether crack and facing pores at a vertex have one pressure by infinite exchange.
 bool shares_pressure(const seepage::Model& model, Index vertex) {
