@@ -55,9 +55,10 @@ def rock_values(frame: Frame, field: str) -> np.ndarray:
     if field == "flux":
         return flux_size(frame)
     values = point_values(frame.matrix, field)
-    if field == "head" and not is_dry(frame.matrix).all():
-        return np.where(is_dry(frame.matrix), np.nan, values)
-    return values
+    if field != "head":
+        return values
+    dry = is_dry(frame.matrix)
+    return values if dry.all() else np.where(dry, np.nan, values)
 
 
 def _scale(field: str, low: float, high: float) -> Scale:

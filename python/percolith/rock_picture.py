@@ -32,7 +32,7 @@ def draw_bodies(axes, bodies: Grid | None, scale: float) -> None:
                                            facecolors=_BODY, **_FLAT), autolim=False)
 
 
-def _values(frame: Frame, field: str) -> tuple[np.ndarray, bool]:
+def drawn_values(frame: Frame, field: str) -> tuple[np.ndarray, bool]:
     """Values of the field, and whether there is one a point."""
     if field == "flux":
         return flux_size(frame), False
@@ -44,7 +44,7 @@ def _values(frame: Frame, field: str) -> tuple[np.ndarray, bool]:
 def draw_values(axes, frame: Frame, points: np.ndarray, field: str, view: View) -> PolyCollection:
     """Flat triangles, fine enough that no step between two of them can be seen."""
     corners, shown = points[frame.matrix.cells], view.rock
-    values, at_points = _values(frame, field)
+    values, at_points = drawn_values(frame, field)
     if at_points:
         fine = refine(corners, values[frame.matrix.cells], view.step, smallest=view.pixel)
         corners, values = fine.corners, fine.values

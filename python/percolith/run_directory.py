@@ -11,6 +11,7 @@ import os
 import tomllib
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property, partial
 from numbers import Real
@@ -43,12 +44,12 @@ class ArgumentError(RunDirectoryError):
     is that of the option of the command line without its dashes."""
 
 
-def read_file(path: str | os.PathLike, parse: Callable[[str], _Content]) -> _Content:
-    """What `parse` makes of the text of a file of results. Raises FileError where the file cannot
-    be read, and RunDirectoryError naming it and what to do where `parse` finds it damaged."""
+@contextmanager
+def _reading(path: str | os.PathLike) -> Iterator[None]:
+    """Turns what goes wrong while a file of results is read into errors that name it and tell what
+    to do: FileError where it cannot be read, RunDirectoryError where it is damaged."""
     try:
-        text = Path(path).read_bytes().decode("utf-8")
-        return parse(text)
+        yield
     except OSError as error:
         raise FileError(f"{path}: cannot be read: {error.strerror or error}") from error
     except RunDirectoryError:
@@ -57,6 +58,13 @@ def read_file(path: str | os.PathLike, parse: Callable[[str], _Content]) -> _Con
         why = "not a text in UTF-8" if isinstance(error, UnicodeDecodeError) else error
         raise RunDirectoryError(f"{path}: damaged: {why}; copy the results anew from where they "
                                 "were made, or run the case again") from error
+
+
+def read_file(path: str | os.PathLike, parse: Callable[[str], _Content]) -> _Content:
+    """What `parse` makes of the text of a file of results. Raises FileError where the file cannot
+    be read, and RunDirectoryError naming it and what to do where `parse` finds it damaged."""
+    with _reading(path):
+        return parse(Path(path).read_bytes().decode("utf-8"))
 
 
 @dataclass
@@ -123,7 +131,8 @@ class Table:
 
 def column_names(path: str | os.PathLike) -> list[str]:
     """The names in the first line of a CSV file that is no comment; none in an empty file."""
-    return read_file(path, lambda text: next(_rows(io.StringIO(text, newline="")), []))
+    with _reading(path), open(path, encoding="utf-8", newline="") as file:
+        return next(_rows(file), [])
 
 
 def read_table(path: str | os.PathLike, words: tuple[str, ...] = ()) -> Table:

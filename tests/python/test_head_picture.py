@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of the head show where the water is and where none is."""
 
+from types import SimpleNamespace
+
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from percolith.colour_range import ColourRange
 from percolith.flow_fields import is_dry, rock_values
 from percolith.head_picture import _split, draw_head
+from percolith.reporting.view_fields import _rock_field
 from percolith.run_directory import Frame
 from percolith.units import Scale
 from percolith.vtu import Grid
@@ -98,3 +101,13 @@ def test_of_a_run_with_a_water_table(run_example):
     # The bar ends at the head of the lake, not at the crest.
     assert axes.figure.axes[1].get_ylim()[1] == pytest.approx(5.0)
     assert not run.plot("pressure").figure.legends
+
+
+def test_the_view_of_a_report_has_the_head_of_dry_rock_too():
+    """Where it has no value the page tells of a rigid body."""
+    run = SimpleNamespace(has_flow=True, has_mechanics=False, path="run", resolved={})
+    frame = tank(0.5)
+    assert is_dry(frame.matrix).any()
+    head = _rock_field(run, frame, "head", 1.0)
+    assert head.at_points
+    np.testing.assert_array_equal(head.values, frame.matrix.point_data["head_m"])

@@ -61,15 +61,16 @@ class Trial:
         # After a signal that came too late, or before the run began to listen for it.
         if process.returncode not in (0, -signal.SIGKILL, -signal.SIGTERM, 128 + signal.SIGTERM):
             raise ProgramError(f"{' '.join(command)}: exit code {process.returncode}\n{said}")
-        self.learn(process.returncode == 0, may_be_killed)
+        if may_be_killed:
+            self.learn(process.returncode == 0)
         return process.returncode == 0
 
-    def learn(self, has_ended: bool, may_be_killed: bool) -> None:
+    def learn(self, has_ended: bool) -> None:
         """Kills sooner after runs that ended before, and later after those that had no checkpoint:
         how long a run takes depends on what else the machine does."""
-        if may_be_killed and has_ended:
+        if has_ended:
             self.seconds *= 0.8
-        elif may_be_killed and not (self.folder / "checkpoint.bin").exists():
+        elif not (self.folder / "checkpoint.bin").exists():
             self.seconds *= 1.2
 
 

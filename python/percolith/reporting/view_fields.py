@@ -17,17 +17,16 @@ from percolith.crack_fields import (
     range_of_cracks,
 )
 from percolith.crack_picture import MODES
-from percolith.flow_fields import FIELDS, LABEL, rock_values
+from percolith.flow_fields import FIELDS, LABEL
 from percolith.mechanics_fields import (
     MECHANICS_FIELDS,
     fragment_count,
-    is_at_points,
     label_of,
     values_of,
 )
 from percolith.reporting import colour_table
 from percolith.reporting.quantities import unit_text
-from percolith.rock_picture import GREYS, ranks_by_size
+from percolith.rock_picture import GREYS, drawn_values, ranks_by_size
 from percolith.run_directory import Frame, RunDirectory
 from percolith.units import Scale
 from percolith.view import view_of_frame
@@ -97,11 +96,9 @@ def _rock_field(run: RunDirectory, frame: Frame, name: str, scale: float) -> Vie
         return _fragments(frame)
     shown = view_of_frame(run, frame, name, scale).rock
     colours = colour_table.of_map(GREYS if name == "damage" else "viridis")
-    if name in FIELDS:
-        return _spanning(name, LABEL[name], rock_values(frame, name), name != "flux", shown,
-                         colours)
-    return _spanning(name, label_of(frame, name), values_of(frame, name),
-                     is_at_points(frame, name), shown, colours)
+    values, at_points = drawn_values(frame, name)
+    label = LABEL[name] if name in FIELDS else label_of(frame, name)
+    return _spanning(name, label, values, at_points, shown, colours)
 
 
 def rock_fields(run: RunDirectory, frame: Frame, scale: float) -> list[ViewField]:
