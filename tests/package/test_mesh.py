@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Meshes of shapes and of networks of fractures."""
 
+import inspect
+import typing
+
 import numpy as np
 import percolith
 import pytest
 from percolith import mesh
 from percolith.mesh.closeness import close_pairs, crossings, near_pieces
+from percolith.mesh.meshing import Meshing, SideMeshing
 
 pytest.importorskip("gmsh")
 
@@ -334,3 +338,32 @@ def test_a_model_of_the_caller_is_left_alone(tmp_path):
         assert gmsh.model.getCurrent() == "mine"
     finally:
         gmsh.finalize()
+
+
+@pytest.mark.parametrize("shape, options", [
+    (mesh.rectangle, SideMeshing), (mesh.disc, SideMeshing), (mesh.slope, SideMeshing),
+    (mesh.borehole, Meshing), (mesh.tunnel, Meshing)])
+def test_shapes_tell_the_options_of_meshing(shape, options):
+    taken = inspect.signature(shape).parameters
+    names = typing.get_type_hints(options)
+    assert "meshing" not in taken and "size" in taken
+    assert {name for name in taken if name in typing.get_type_hints(SideMeshing)} == set(names)
+    for name in names:
+        assert taken[name] == inspect.signature(mesh.outline_mesh).parameters[name]
+    for name in ["size", *names]:
+        assert f"\n- {name}: " in shape.__doc__
+    assert "size: of the elements, m." in shape.__doc__ and "MeshError" in shape.__doc__
+
+
+def test_options_of_meshing_are_those_of_an_outline():
+    hints = typing.get_type_hints(mesh.outline_mesh)
+    for name in ("path", "outline", "size", "return"):
+        del hints[name]
+    assert typing.get_type_hints(SideMeshing) == hints
+
+
+def test_a_shape_refuses_options_that_there_are_not(tmp_path):
+    with pytest.raises(TypeError, match="growht"):
+        mesh.rectangle(tmp_path / "m.msh", 1, 1, size=0.2, growht=0.1)
+    with pytest.raises(TypeError, match="size"):
+        mesh.rectangle(tmp_path / "m.msh", 1, 1)

@@ -13,8 +13,9 @@ and random networks of fractures. Lengths are in m.
 from percolith.mesh.arrangement import Change, arrange
 from percolith.mesh.fractures import Fracture, FractureSet, fracture_network
 from percolith.mesh.gmsh_mesh import MadeMesh
+from percolith.mesh.meshing import outline_mesh
 from percolith.mesh.outline import Outline, box, circle
-from percolith.mesh.shapes import borehole, disc, outline_mesh, rectangle, slope, tunnel
+from percolith.mesh.shapes import borehole, disc, rectangle, slope, tunnel
 
 __all__ = [
     "Change", "Fracture", "FractureSet", "MadeMesh", "Outline", "arrange", "borehole", "box",

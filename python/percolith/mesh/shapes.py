@@ -1,74 +1,33 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshes of common shapes. All take the same last arguments:
-
-size: of the elements, m. fractures: lines that the mesh follows. size_at_fractures: of the elements
-there, m; `size` where it is not given. growth: by how much elements grow per metre of distance from
-fractures and fine sides, 1. tolerance: what is closer than this is merged, m; where it is not given
-half the size at fractures, and at fine sides half of theirs; the size at fractures at most.
-smallest_angle_deg: lines that meet at less run together until they are apart.
-irregular: triangles in no order (Delaunay), which cracks that choose their way along edges need;
-False lays them out as evenly as can be, for rock that does not break.
-
-They return a `MadeMesh` and raise MeshError and FileError.
-"""
+"""Meshes of common shapes; what `meshing` of all takes is told by `with_options`."""
 
 from __future__ import annotations
 
 import math
 import os
-from collections.abc import Sequence
-from typing import Any
+from typing import Unpack
 
 import numpy as np
 
 from percolith.errors import MeshError
-from percolith.mesh.arrangement import arrange
-from percolith.mesh.fractures import Fracture
-from percolith.mesh.gmsh_mesh import MadeMesh, Sizes, make_mesh
+from percolith.mesh.gmsh_mesh import MadeMesh
+from percolith.mesh.meshing import Meshing, SideMeshing, outline_mesh, with_options
 from percolith.mesh.outline import Outline, box, circle, require_positive
 
 
-def outline_mesh(path: str | os.PathLike, outline: Outline, *, size: float,
-                 fractures: Sequence[Fracture] = (), size_at_fractures: float | None = None,
-                 growth: float = 0.2, tolerance: float | None = None,
-                 smallest_angle_deg: float = 20.0, irregular: bool = True,
-                 fine_sides: Sequence[str] = (),
-                 size_at_fine_sides: float | None = None) -> MadeMesh:
-    """Meshes any outline. fine_sides: names of sides where elements are as small as at fractures,
-    of `size_at_fine_sides`, m, where that is given."""
-    require_positive(size=size, growth=growth)
-    near = size if size_at_fractures is None else size_at_fractures
-    require_positive(size_at_fractures=near)
-    fine = near if size_at_fine_sides is None else size_at_fine_sides
-    gap = 0.5 * min(near, size) if tolerance is None else tolerance
-    require_positive(size_at_fine_sides=fine, tolerance=gap)
-    if gap > min(near, size):
-        raise MeshError(f"tolerance = {gap}: larger than the elements at fractures, which would "
-                        f"merge what they can show; allowed: up to {min(near, size):g} m")
-    if not 0.0 <= smallest_angle_deg <= 45.0:
-        raise MeshError(f"smallest_angle_deg = {smallest_angle_deg}: allowed: 0 to 45 degrees")
-    names = {*outline.sides, *(side for hole in outline.holes for side in hole.sides)}
-    if unknown := set(fine_sides) - names:
-        raise MeshError(f"fine_sides: no side {', '.join(sorted(unknown))}; there are: "
-                        f"{', '.join(sorted(names))}")
-    own = {} if tolerance is not None else dict.fromkeys(fine_sides, 0.5 * min(fine, near, size))
-    lines = arrange(outline, fractures, gap, smallest_angle_deg, own)
-    return make_mesh(path, outline, fractures, lines,
-                     Sizes(size, min(near, size), min(fine, size), growth, tuple(fine_sides),
-                           irregular))
-
-
-def rectangle(path: str | os.PathLike, width: float, height: float, *,
+@with_options
+def rectangle(path: str | os.PathLike, width: float, height: float, *, size: float,
               centre: tuple[float, float] | None = None, region: str = "rock",
-              **meshing: Any) -> MadeMesh:
+              **meshing: Unpack[SideMeshing]) -> MadeMesh:
     """A rectangle with the sides left, right, bottom and top; its lower left corner is the origin
     where no centre is given."""
-    return outline_mesh(path, box(width, height, centre, region), **meshing)
+    return outline_mesh(path, box(width, height, centre, region), size=size, **meshing)
 
 
+@with_options
 def disc(path: str | os.PathLike, radius: float, *, size: float,
          centre: tuple[float, float] = (0.0, 0.0), flat_deg: float = 0.0, region: str = "rock",
-         **meshing: Any) -> MadeMesh:
+         **meshing: Unpack[SideMeshing]) -> MadeMesh:
     """A disc with the side edge. Where flat_deg is positive, arcs of that angle at its top and its
     bottom are sides of their own, top and bottom, to be loaded."""
     outline = circle(radius, size, "edge", centre, region)
@@ -99,9 +58,10 @@ def _with_flats(outline: Outline, centre: np.ndarray, arc: float) -> Outline:
     return Outline(corners, sides, region=outline.region)
 
 
+@with_options
 def borehole(path: str | os.PathLike, width: float, height: float, radius: float, *,
              size: float, size_at_hole: float | None = None, region: str = "rock",
-             **meshing: Any) -> MadeMesh:
+             **meshing: Unpack[Meshing]) -> MadeMesh:
     """A rectangle round the origin with a hole there: sides left, right, bottom, top and hole.
     size_at_hole: of the elements there, m; an eighth of the radius where it is not given."""
     fine = min(size, radius / 8.0) if size_at_hole is None else size_at_hole
@@ -112,9 +72,10 @@ def borehole(path: str | os.PathLike, width: float, height: float, radius: float
                         **meshing)
 
 
+@with_options
 def tunnel(path: str | os.PathLike, width: float, height: float, tunnel_width: float,
            wall_height: float, *, size: float, size_at_wall: float | None = None,
-           excavated: bool = False, region: str = "rock", **meshing: Any) -> MadeMesh:
+           excavated: bool = False, region: str = "rock", **meshing: Unpack[Meshing]) -> MadeMesh:
     """A rectangle round the origin with a tunnel there: walls of wall_height and a round roof
     above; sides left, right, bottom, top and wall. excavated: the tunnel is a region of its own,
     tunnel, that the case takes out later; its wall lies within the rock until then, and is no side
@@ -144,8 +105,10 @@ def _require_inside(outline: Outline) -> None:
             raise MeshError("the hole does not lie within the rectangle")
 
 
+@with_options
 def slope(path: str | os.PathLike, height: float, angle_deg: float, *, foot: float, crest: float,
-          depth: float, size: float, region: str = "rock", **meshing: Any) -> MadeMesh:
+          depth: float, size: float, region: str = "rock",
+          **meshing: Unpack[SideMeshing]) -> MadeMesh:
     """A slope whose toe is the origin: it rises by height at angle_deg to the right, before it lies
     ground of the length foot, behind its edge ground of the length crest, and all reaches down to
     depth below the toe. Sides left, right, bottom, ground, face and crest."""
