@@ -4,10 +4,18 @@
 import sys
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "python"), str(ROOT / "verification")]
+
+
+@pytest.fixture(autouse=True)
+def closed_figures():
+    """pyplot keeps every figure until it is closed."""
+    yield
+    plt.close("all")
 
 
 @pytest.fixture(scope="module")

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Any array of the field files can be drawn."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from percolith import RunDirectory, RunDirectoryError, plot
@@ -36,20 +35,17 @@ def test_what_the_colours_show_is_what_the_file_has(tunnel):
     scale = scale_of("stress_yy_Pa", np.percentile(stress, [1, 99]))
     assert np.allclose(rock.get_array(), stress / scale.factor)
     assert axes.figure.axes[1].get_ylabel() == scale.label("Stress yy")
-    plt.close("all")
 
 
 def test_strain_has_a_power_of_ten_for_a_unit(tunnel):
     axes = tunnel.plot("strain_xx")
     assert "Strain xx ($10^{" in axes.figure.axes[1].get_ylabel()
-    plt.close("all")
 
 
 def test_regions_have_their_names(tmp_path):
     run = RunDirectory(write_coupled_run(tmp_path / "run", frames=2))
     axes = run.plot("region", cracks="none")
     assert [text.get_text() for text in axes.figure.legends[0].get_texts()] == ["plate"]
-    plt.close("all")
 
 
 def test_stress_is_effective_where_there_is_fluid(tmp_path):

@@ -45,12 +45,6 @@ def area(polygon: np.ndarray) -> float:
     return 0.5 * abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)))
 
 
-@pytest.fixture(autouse=True)
-def closed():
-    yield
-    plt.close("all")
-
-
 def test_colours_span_the_rock_that_is_full():
     frame = tank(0.5)
     assert np.nanmax(rock_values(frame, "head")) == pytest.approx(0.5)

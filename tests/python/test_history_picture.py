@@ -19,12 +19,6 @@ def panel(rate: np.ndarray):
     return axes
 
 
-@pytest.fixture(autouse=True)
-def closed():
-    yield
-    plt.close("all")
-
-
 def test_what_lasts_counts_by_its_time():
     assert lasting_range(TIME, np.array([np.full(201, 2.0), np.full(201, -1.0)])) == (-1.0, 2.0)
     peak = 1.0 + 99.0 * np.exp(-TIME)

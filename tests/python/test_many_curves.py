@@ -22,12 +22,6 @@ def panel(count: int, name: str = "source.injection_well_number_{}_in_the_northe
     return grid[1, 1]
 
 
-@pytest.fixture(autouse=True)
-def closed():
-    yield
-    plt.close("all")
-
-
 @pytest.mark.parametrize("count", [12, 40])
 def test_many_long_names_leave_room_for_the_panel(count):
     axes = panel(count)

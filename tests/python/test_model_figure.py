@@ -3,7 +3,6 @@
 
 from types import SimpleNamespace
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.lines import Line2D
@@ -24,12 +23,6 @@ def model_of(height: float, second_bar: bool = False) -> ModelFigure:
     model.title(NAME, WORDS)
     model.figure.canvas.draw()
     return model
-
-
-@pytest.fixture(autouse=True)
-def closed():
-    yield
-    plt.close("all")
 
 
 @pytest.mark.parametrize("second_bar", [False, True])

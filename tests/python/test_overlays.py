@@ -23,12 +23,6 @@ from synthetic_coupled_run import OPENING, PRESSURE
 from synthetic_run import write_mechanics_run
 
 
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
-
-
 def labels(axes) -> list[str]:
     """Labels of the colour bars and entries of the legend of a map in a figure of its own."""
     bars = [other.get_ylabel() or other.get_xlabel() for other in axes.figure.axes[1:]]

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Probes against reference values: `percolith plot DIR --reference FILE.csv`."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from percolith import CaseError, RunDirectory, plot
@@ -80,7 +79,6 @@ def test_markers_lie_over_the_curves(block, tmp_path):
     assert np.allclose(markers[0].get_markeredgecolor(), curves[-1].get_color())
     names = [text.get_text() for text in axes.get_legend().get_texts()]
     assert names == ["0 ms", "1 ms", "2 ms", "measured", "other"]
-    plt.close(figure)
 
 
 def test_a_quantity_of_references_alone_has_a_panel(plate, tmp_path):
@@ -88,7 +86,6 @@ def test_a_quantity_of_references_alone_has_a_panel(plate, tmp_path):
     figure = plate.plot_probes(reference=path)
     (axes,) = (axes for axes in figure.axes if axes.get_ylabel() == "Saturation")
     assert [text.get_text() for text in axes.get_legend().get_texts()] == ["simulation", "measured"]
-    plt.close(figure)
 
 
 def test_all_mistakes_of_a_table_are_told_with_their_lines(block, tmp_path):

@@ -13,12 +13,6 @@ from synthetic_coupled_run import SIZE
 from synthetic_run import write_mechanics_run
 
 
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
-
-
 def quantities(figure) -> list[str]:
     """What the panels that are shown have on their axes, without units."""
     return [axes.get_ylabel().split(" (")[0] for axes in figure.axes if axes.get_visible()]

@@ -105,7 +105,6 @@ def test_the_axes_end_with_the_window(block, field):
     axes = figure.axes[0]
     assert [axes.get_xlim(), axes.get_ylim()] == [(0.0, 0.02), (0.0, 0.03)]
     assert ("3 fragments in all" in axes.get_title()) == (field == "fragments")
-    plt.close(figure)
 
 
 def test_rock_at_rest_has_windows_too(tmp_path):
@@ -129,7 +128,6 @@ def test_rock_at_rest_has_windows_too(tmp_path):
     assert len(part.matrix.cells) == 2 and not len(part.cracks.cells) and bodies is None
     figure = field_figure(run, run.frame(), "pressure", view)
     assert figure.axes[0].get_xlim() == (-1.0, 0.5)
-    plt.close(figure)
 
 
 def test_pictures_from_the_command_line(block, capsys):
