@@ -9,7 +9,7 @@ import numpy as np
 
 from percolith.colour_range import ColourRange, cut_range
 from percolith.deformation import FROM_THE_START
-from percolith.run_directory import Frame
+from percolith.run_directory import Frame, carries_fluid
 from percolith.units import Scale, scale_of
 from percolith.vtu import Grid
 
@@ -38,13 +38,6 @@ CRACK_FIELDS = {
 }
 _SHARES = ("saturation", "damage")  # from 0 to 1
 _SIZES = ("flux", "slip")  # whose sign follows from the order of the ends
-
-
-def carries_fluid(cracks: Grid) -> np.ndarray:
-    """True (n,) for each crack segment that fluid can be in: all where the rock is at rest. A joint
-    past its peak that is not broken may hold none; the values at its ends mean nothing then."""
-    wet = cracks.cell_data.get("wet")
-    return np.ones(len(cracks.cells), bool) if wet is None else wet != 0
 
 
 def has_crack_field(cracks: Grid, name: str) -> bool:

@@ -100,10 +100,9 @@ def _draw_rates(axes, history: Table, time: Scale, rates: dict[str, str]) -> Non
     beyond = [f"{word} {format_value(value, power_scale([value], 'm²/s'))}"
               for word, value, is_beyond in (("up to", highest, highest > high),
                                              ("down to", lowest, lowest < low)) if is_beyond]
-    if beyond:
-        axes.text(0.98, 0.96, "for moments beyond the panel: " + ", ".join(beyond), ha="right",
-                  va="top", fontsize="small", transform=axes.transAxes,
-                  bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 2.0})
+    axes.text(0.98, 0.96, "for moments beyond the panel: " + ", ".join(beyond), ha="right",
+              va="top", fontsize="small", transform=axes.transAxes,
+              bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 2.0})
 
 
 def _extremes(history: Table) -> dict[str, str]:

@@ -35,7 +35,7 @@ class ModelFigure:
         self.is_wide = width > 2.2 * height
         self._is_part = axes is not None
         self._is_narrow, self._slenderness = False, height / width
-        self._beside = 0.0 if self.is_wide else _BAR * (1 + second_bar)
+        self._beside = 0.0 if self.is_wide or self._is_part else _BAR * (1 + second_bar)
         if axes is None:
             axes = self._own_axes(width, height, second_bar)
         self.axes = axes
@@ -68,9 +68,7 @@ class ModelFigure:
         """Writes the name of the run, and what the picture shows in parts that stay whole, in lines
         that fit above the axes: beside these are the bars, and the title is in the middle of the
         axes."""
-        width = self.figure.get_figwidth() if self._is_part else (
-            self.figure.get_figwidth() - self._beside)
-        letters = int(_LETTERS * width)
+        letters = int(_LETTERS * (self.figure.get_figwidth() - self._beside))
         lines = textwrap.wrap(name, letters)
         for i, part in enumerate(parts):
             if i and len(lines[-1]) + 2 + len(part) <= letters:

@@ -67,6 +67,13 @@ def read_file(path: str | os.PathLike, parse: Callable[[str], _Content]) -> _Con
         return parse(Path(path).read_bytes().decode("utf-8"))
 
 
+def carries_fluid(cracks: Grid) -> np.ndarray:
+    """True (n,) for each crack segment that fluid can be in: all where the rock is at rest. A joint
+    past its peak that is not broken may hold none; the values at its ends mean nothing then."""
+    wet = cracks.cell_data.get("wet")
+    return np.ones(len(cracks.cells), bool) if wet is None else wet != 0
+
+
 @dataclass
 class Frame:
     """The fields at one time (s): the matrix as triangles, the cracks as line segments."""
@@ -84,11 +91,10 @@ class Frame:
         ends = self.cracks.points[self.cracks.cells]
         places = {f"{axis}{end}_m": ends[:, end, i] for end in (0, 1)
                   for i, axis in enumerate("xy")}
-        data = self.cracks.cell_data
-        dry = data["wet"] == 0 if "wet" in data else np.zeros(len(ends), bool)
-        means = {name: np.where(dry, np.nan, values[self.cracks.cells].mean(axis=1))
+        wet = carries_fluid(self.cracks)
+        means = {name: np.where(wet, values[self.cracks.cells].mean(axis=1), np.nan)
                  for name, values in self.cracks.point_data.items() if values.ndim == 1}
-        return Table({**places, **means, **data})
+        return Table({**places, **means, **self.cracks.cell_data})
 
 
 @dataclass

@@ -313,11 +313,12 @@ class Simulation:
 
     def set_pressure(self, pressure: Any) -> None:
         """Gives the pores pressures, Pa: one number, or a text with a unit, an array (vertices,),
-        or one (triangles, 3) where the pressure jumps across cracks. Nodes become full. Contents follow; the fluid that
-        comes or goes is no part of the mass balance. The rock of a coupled run feels the change
-        from the next step on. Raises CaseError for values that are not finite or below the
-        cavitation pressure, that differ within a pore node, or where the run takes none: mechanics
-        of dry rock, a quasi-static run once it has begun, and one that is over or closed."""
+        or one (triangles, 3) where the pressure jumps across cracks. Nodes become full. Contents
+        follow; the fluid that comes or goes is no part of the mass balance. The rock of a coupled
+        run feels the change from the next step on. Raises CaseError for values that are not finite
+        or below the cavitation pressure, that differ within a pore node, or where the run takes
+        none: mechanics of dry rock, a quasi-static run once it has begun, and one that is over or
+        closed."""
         self._require_going("set_pressure")
         self._run.set_pore_pressure(self._slots(pressure))
 

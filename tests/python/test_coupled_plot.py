@@ -4,14 +4,14 @@
 import numpy as np
 import pytest
 from percolith import RunDirectory, plot
-from percolith.crack_fields import carries_fluid, shown_values
+from percolith.crack_fields import shown_values
 from percolith.crack_growth_picture import draw_crack_growth
 from percolith.crack_picture import MODES
 from percolith.deformation import crack_gaps, deformed_points
 from percolith.flow_fields import rock_and_crack_ranges
 from percolith.mechanics_history import draw_mechanics_history
 from percolith.pictures import fields_of
-from percolith.run_directory import Table
+from percolith.run_directory import Table, carries_fluid
 from percolith.view import view_of_frame, view_of_times
 from synthetic_coupled_run import OPENING, PRESSURE, SIZE, write_coupled_run
 from synthetic_run import add_bodies, write_mechanics_run
