@@ -26,7 +26,7 @@ import threading
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -63,32 +63,34 @@ class Point:
     @property
     def outcome(self) -> str:
         """What its results say of how it ended; "" where there are none yet."""
-        return str(_read(self.folder / "summary.json").get("outcome", ""))
+        return str(self._summary.get("outcome", ""))
 
     @property
     def failure(self) -> Error | None:
         """Why it failed; None where it did not."""
         if (told := _read(self._failure_file)):
             return _error_from(told)
-        summary = _read(self.folder / "summary.json")
+        summary = self._summary
         if summary.get("outcome") != "failed":
             return None
         return errors.SolverError(f"point {self.number}: {summary.get('reason', '')}")
+
+    @property
+    def _summary(self) -> dict[str, Any]:
+        return _read(self.folder / "summary.json")
 
     @property
     def _failure_file(self) -> Path:
         # Beside the folder of results, which may not be there, or not be ours.
         return self.folder.parent / f"{self.folder.name}.failure.json"
 
-    def _note_failure(self, error: Error | None) -> None:
-        """Keeps the error, or forgets that of an earlier attempt."""
-        try:
-            if error is None:
-                self._failure_file.unlink(missing_ok=True)
-            else:
-                self._failure_file.write_text(json.dumps(_as_plain(error)), encoding="utf-8")
-        except OSError:
-            pass  # What the point itself raises is of more use.
+    def _note_failure(self, error: Error) -> None:
+        with suppress(OSError):  # What the point itself raises is of more use.
+            self._failure_file.write_text(json.dumps(_as_plain(error)), encoding="utf-8")
+
+    def _forget_failure(self) -> None:
+        with suppress(OSError):  # Where it cannot be removed, nothing can be run either.
+            self._failure_file.unlink(missing_ok=True)
 
     def results(self) -> RunDirectory:
         """Opens the results. Raises RunDirectoryError where there are none."""
@@ -132,18 +134,16 @@ class Sweep:
         point = self.points[number]
         if point.outcome == "finished":
             return point.results()
+        point._forget_failure()  # An attempt that is killed tells nothing, and did not fail so.
         try:
             if point.outcome != "failed" and (point.folder / "checkpoint.bin").is_file():
-                run = resume(point.folder, threads=threads)
-            else:
-                run = case.run(point.folder, force=True, threads=threads)
+                return resume(point.folder, threads=threads)
+            return case.run(point.folder, force=True, threads=threads)
         except Error as error:
             named = _named(error, number)
             if not _is_at_work(error):
                 point._note_failure(named)
             raise named from error
-        point._note_failure(None)
-        return run
 
     def run(self, *, processes: int | None = None, threads: int = 1) -> dict[int, Error]:
         """Runs all that is left, in so many processes of so many threads each; as many processes as

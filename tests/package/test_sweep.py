@@ -144,6 +144,24 @@ def test_a_point_that_fails_at_its_start_is_told(case, tmp_path, capsys, alone):
     assert sweep.points[1].state == "finished" and sweep.points[1].failure is None
 
 
+def test_an_attempt_that_is_killed_does_not_fail_as_the_one_before(case, tmp_path, monkeypatch):
+    sweep = percolith.sweep(case, OPTIONS, tmp_path / "study")
+
+    def end(error: BaseException):
+        def run(*_, **__):
+            raise error
+        monkeypatch.setattr(percolith.Case, "run", run)
+
+    end(percolith.FileError("no room on the disk"))
+    with pytest.raises(percolith.FileError, match="point 0: no room"):
+        sweep.run_point(0)
+    assert sweep.points[0].state == "failed"
+    end(SystemExit())  # as suddenly as a kill, which leaves no time to tell anything
+    with pytest.raises(SystemExit):
+        sweep.run_point(0)
+    assert sweep.points[0].state == "waiting" and sweep.points[0].failure is None
+
+
 def test_a_point_at_work_elsewhere_has_not_failed(case, tmp_path):
     sweep = percolith.sweep(case, OPTIONS, tmp_path / "study")
     with sweep.case(0).simulation(sweep.points[0].folder):
