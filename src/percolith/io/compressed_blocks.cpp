@@ -4,6 +4,8 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <new>
 
@@ -13,12 +15,8 @@ namespace {
 // A zlib compressor that keeps its memory from block to block.
 class Compressor {
 public:
-  explicit Compressor(Content content) {
-    // The digits of real numbers hardly ever repeat, so that looking for more than runs takes
-    // twice the time for a few per cent; higher levels than 1 take several times as long.
-    const int strategy = content == Content::reals ? Z_RLE : Z_DEFAULT_STRATEGY;
-    if (deflateInit2(&stream_, Z_BEST_SPEED, Z_DEFLATED, MAX_WBITS, MAX_MEM_LEVEL, strategy) !=
-        Z_OK) {
+  Compressor(int level, int strategy) {
+    if (deflateInit2(&stream_, level, Z_DEFLATED, MAX_WBITS, MAX_MEM_LEVEL, strategy) != Z_OK) {
       throw std::bad_alloc();
     }
   }
@@ -49,10 +47,32 @@ void append_number(std::string& text, std::uint64_t number) {
   text.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
+// Whether a code for single bytes, all that real numbers leave to a compressor but for runs, would
+// save less than a tenth of the block.
+bool hardly_shrinks(std::span<const std::byte> block) {
+  constexpr double bits_worth_it = 0.9 * 8;  // of a byte
+  // A counter that was written just before is slow to read, and the same byte often comes twice.
+  std::array<std::array<std::uint32_t, 256>, 4> counts{};
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    ++counts[i % counts.size()][std::to_integer<std::size_t>(block[i])];
+  }
+  const auto size = static_cast<double>(block.size());
+  double bits = 0;
+  for (std::size_t value = 0; value < counts[0].size(); ++value) {
+    const double count = counts[0][value] + counts[1][value] + counts[2][value] + counts[3][value];
+    bits += count > 0 ? count * std::log2(size / count) : 0.0;
+  }
+  return bits > bits_worth_it * size;
+}
+
 }  // namespace
 
 std::string compress_blocks(std::span<const std::byte> data, Content content) {
-  Compressor compressor(content);
+  // The digits of real numbers hardly ever repeat, so that looking for more than runs takes twice
+  // the time for a few per cent; higher levels than 1 take several times as long.
+  const bool are_reals = content == Content::reals;
+  Compressor packing(Z_BEST_SPEED, are_reals ? Z_RLE : Z_DEFAULT_STRATEGY);
+  Compressor storing(Z_NO_COMPRESSION, Z_DEFAULT_STRATEGY);
   std::string header;
   append_number(header, (data.size() + block_size - 1) / block_size);
   append_number(header, block_size);
@@ -60,7 +80,8 @@ std::string compress_blocks(std::span<const std::byte> data, Content content) {
   std::string blocks;
   for (std::size_t begin = 0; begin < data.size(); begin += block_size) {
     const auto block = data.subspan(begin, std::min(block_size, data.size() - begin));
-    append_number(header, compressor.append(block, blocks));
+    Compressor& chosen = are_reals && hardly_shrinks(block) ? storing : packing;
+    append_number(header, chosen.append(block, blocks));
   }
   return header + blocks;
 }
