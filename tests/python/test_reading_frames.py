@@ -11,10 +11,11 @@ from synthetic_run import write_mechanics_run
 BLOCK = 1024
 
 
-def packed(values: np.ndarray, block: int = BLOCK) -> bytes:
-    """An array as the program stores it, in blocks."""
+def packed(values: np.ndarray, block: int = BLOCK, levels: tuple[int, ...] = (1,)) -> bytes:
+    """An array as the program writes it, in blocks of these levels in turn; 0 stores one as it is."""
     raw = values.tobytes()
-    parts = [zlib.compress(raw[i:i + block]) for i in range(0, len(raw), block)]
+    parts = [zlib.compress(raw[i:i + block], levels[i // block % len(levels)])
+             for i in range(0, len(raw), block)]
     header = np.array([len(parts), block, len(raw) % block, *map(len, parts)], "<u8")
     return header.tobytes() + b"".join(parts)
 
@@ -28,15 +29,17 @@ def way(request, monkeypatch):
         pytest.skip("deflate is not installed")
 
 
+@pytest.mark.parametrize("levels", [(1,), (0,), (0, 1)])
 @pytest.mark.parametrize("count", [0, 1, 128, 129, 1000, 128 * 40, 128 * 40 + 77])
-def test_blocks_come_together_again(way, count):
+def test_blocks_come_together_again(way, count, levels):
     values = np.random.default_rng(count).random(count)
-    unpacked = compressed_blocks.unpack(memoryview(b"before" + packed(values)), 6)
+    unpacked = compressed_blocks.unpack(memoryview(b"before" + packed(values, levels=levels)), 6)
     assert np.array_equal(unpacked.view("<f8"), values)
 
 
-def test_damage_in_any_block_is_found(way):
-    good = packed(np.random.default_rng(1).random(128 * 40))
+@pytest.mark.parametrize("levels", [(1,), (0,)])
+def test_damage_in_any_block_is_found(way, levels):
+    good = packed(np.random.default_rng(1).random(128 * 40), levels=levels)
     for place in (len(good) // 3, len(good) - 3):
         damaged = bytearray(good)
         damaged[place] ^= 0xFF
