@@ -13,7 +13,7 @@
 namespace percolith {
 namespace {
 
-constexpr std::size_t per_block = io::block_size / sizeof(double);
+constexpr std::size_t reals_per_block = io::block_size / sizeof(double);
 constexpr std::size_t of_a_stored_block = 11;  // bytes that zlib adds: header, length, checksum
 
 std::vector<std::uint64_t> header(const std::string& packed) {
@@ -58,24 +58,24 @@ std::vector<double> random_reals(std::size_t count) {
   return values;
 }
 
-std::string packed(const std::vector<double>& values) {
+std::string pack(const std::vector<double>& values) {
   return io::compress_blocks(std::as_bytes(std::span(values)), io::Content::reals);
 }
 
 TEST(CompressedBlocks, StoreRealsThatHardlyShrink) {
-  const std::vector<double> values = random_reals(2 * per_block + 1000);
-  const std::string result = packed(values);
+  const std::vector<double> values = random_reals(2 * reals_per_block + 1000);
+  const std::string result = pack(values);
   EXPECT_EQ(header(result), (std::vector<std::uint64_t>{
                                 3, io::block_size, 8000, io::block_size + of_a_stored_block,
                                 io::block_size + of_a_stored_block, 8000 + of_a_stored_block}));
   EXPECT_EQ(unpacked(result, values.size()), values);
-  EXPECT_EQ(packed(values), result);
+  EXPECT_EQ(pack(values), result);
 }
 
 TEST(CompressedBlocks, PackEachBlockAsItIsWorth) {
-  std::vector<double> values = random_reals(3 * per_block);
-  std::fill_n(values.begin() + per_block, per_block, 2.5);
-  const std::string result = packed(values);
+  std::vector<double> values = random_reals(3 * reals_per_block);
+  std::fill_n(values.begin() + reals_per_block, reals_per_block, 2.5);
+  const std::string result = pack(values);
   const std::vector<std::uint64_t> sizes = block_sizes(result);
   ASSERT_EQ(sizes.size(), 3U);
   EXPECT_EQ(sizes[0], io::block_size + of_a_stored_block);
@@ -85,11 +85,11 @@ TEST(CompressedBlocks, PackEachBlockAsItIsWorth) {
 }
 
 TEST(CompressedBlocks, PackVectorsOfThePlaneWhoseThirdComponentIsNothing) {
-  std::vector<double> values = random_reals(3 * per_block);
+  std::vector<double> values = random_reals(3 * reals_per_block);
   for (std::size_t i = 2; i < values.size(); i += 3) {
     values[i] = 0;
   }
-  const std::string result = packed(values);
+  const std::string result = pack(values);
   for (const std::uint64_t size : block_sizes(result)) {
     EXPECT_LT(size, io::block_size * 3 / 4);
   }
@@ -97,7 +97,7 @@ TEST(CompressedBlocks, PackVectorsOfThePlaneWhoseThirdComponentIsNothing) {
 }
 
 TEST(CompressedBlocks, MayBeNone) {
-  EXPECT_EQ(header(packed({})), (std::vector<std::uint64_t>{0, io::block_size, 0}));
+  EXPECT_EQ(header(pack({})), (std::vector<std::uint64_t>{0, io::block_size, 0}));
 }
 
 }  // namespace
