@@ -110,4 +110,5 @@ def test_the_view_of_a_report_has_the_head_of_dry_rock_too():
     assert is_dry(frame.matrix).any()
     head = view_fields.rock_field(run, [frame], "head", 1.0)
     assert head.at_points
-    np.testing.assert_array_equal(view_fields.rock_values(frame, "head"), frame.matrix.point_data["head_m"])
+    np.testing.assert_array_equal(view_fields.rock_values(frame, "head"),
+                                  frame.matrix.point_data["head_m"])

@@ -284,6 +284,18 @@ def test_nothing_held_at_the_start_has_no_row(mechanics, without_pictures):
     assert not any(row[:1] == ["held at the start"] for row in page.rows)
 
 
+def test_lengths_of_cracks_tell_which_joints_they_count(coupled, without_pictures, tmp_path):
+    run = shutil.copytree(coupled, tmp_path / "run")
+    text = (run / "resolved.toml").read_text()
+    (run / "resolved.toml").write_text(text.replace(
+        'physics = "coupled"\n', 'physics = "coupled"\nfluid_enters = "softening"\n'))
+    (run / "summary.json").write_text(json.dumps({"end_time_s": 5e-3, "regions": ["plate"],
+        "mechanics": {"broken_joints": 0, "crack_length_m": 0.16, "filled_crack_length_m": 0.1}}))
+    page = page_at(percolith.report(run))
+    assert page.value("joints that broke, in all") == "0"
+    assert page.value("length open to fluid (broken or softening joints)") == "160 mm"
+
+
 def test_rows_of_flow(flow, without_pictures):
     page = page_at(percolith.report(flow))
     summary = RunDirectory(flow).summary
