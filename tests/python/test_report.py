@@ -293,7 +293,7 @@ def test_lengths_of_cracks_tell_which_joints_they_count(coupled, without_picture
         "mechanics": {"broken_joints": 0, "crack_length_m": 0.16, "filled_crack_length_m": 0.1}}))
     page = page_at(percolith.report(run))
     assert page.value("joints that broke, in all") == "0"
-    assert page.value("length open to fluid (broken or softening joints)") == "160 mm"
+    assert page.value("length open to fluid (broken or softening joints)") == "0.16 m"
 
 
 def test_rows_of_flow(flow, without_pictures):
