@@ -16,7 +16,7 @@ from percolith.deformation import can_deform, deformed_points
 from percolith.flow_fields import FIELDS
 from percolith.flow_fields import LABEL as FLOW_LABEL
 from percolith.head_picture import draw_head
-from percolith.mechanics_fields import LABEL, fragment_count, label_of, values_of
+from percolith.mechanics_fields import fragment_count, label_of, values_of
 from percolith.model_figure import ModelFigure, moment, shape
 from percolith.rock_picture import (
     ROCK,
@@ -37,7 +37,7 @@ _OF_DAMAGE = LinearSegmentedColormap.from_list(
 
 def _shown(run: RunDirectory, frame: Frame, field: str, view: View) -> list[str]:
     """What the picture shows."""
-    name = FLOW_LABEL.get(field) or LABEL.get(field, label_of(frame, field)).split(",")[0]
+    name = (FLOW_LABEL.get(field) or label_of(frame, field)).split(",")[0]
     if field == "fragments":
         name = f"{fragment_count(frame)} fragments" + " in all" * view.is_part
     parts = [name, moment(run, frame)]

@@ -41,8 +41,11 @@ def _column(table: Table, field: str) -> str:
     return wanted if wanted in table else "pressure_Pa"
 
 
-def _label(column: str) -> str:
-    return _LABEL.get(column) or without_unit(column).replace("_", " ").capitalize()
+def _label(table: Table, column: str) -> str:
+    """What an axis calls a column; stress is effective where there is fluid."""
+    label = _LABEL.get(column) or without_unit(column).replace("_", " ").capitalize()
+    is_effective = column.startswith("stress") and "pressure_Pa" in table
+    return f"Effective {label[0].lower()}{label[1:]}" if is_effective else label
 
 
 def _draw_references(axes, references: list[ReferenceCurve], across: float, up: float,
@@ -74,7 +77,7 @@ def _draw_line(axes, table: Table, column: str, is_steady: bool,
     start, stop = ((ends["x_m"][i], ends["y_m"][i]) for i in (0, -1))
     axes.set_xlabel(f"Distance from ({start[0]:g}, {start[1]:g}) to "
                     f"({stop[0]:g}, {stop[1]:g}) (m)")
-    axes.set_ylabel(scale.label(_label(column)))
+    axes.set_ylabel(scale.label(_label(table, column)))
     if len(times) <= _MOST_NAMES:
         handles = [*axes.get_legend_handles_labels()[0], *handles]
     else:
@@ -93,7 +96,7 @@ def _draw_point(axes, table: Table, column: str, references: list[ReferenceCurve
     if handles:
         axes.legend(handles=[*axes.lines[:1], *handles], fontsize="small", frameon=False)
     axes.set_xlabel(unit.label("Time"))
-    axes.set_ylabel(scale.label(_label(column)))
+    axes.set_ylabel(scale.label(_label(table, column)))
 
 
 def _panels(run: RunDirectory, field: str,
@@ -126,7 +129,7 @@ def probes_figure(run: RunDirectory, field: str = "pressure",
             _draw_line(axes, table, column, run.is_steady, over)
         else:
             _draw_point(axes, table, column, over)
-        axes.set_title(f"Probe {name}", fontsize=10)
+        axes.set_title(f"probe.{name}", fontsize=10)
         axes.grid(alpha=0.3)
     return figure
 

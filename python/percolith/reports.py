@@ -47,7 +47,7 @@ def _parser() -> argparse.ArgumentParser:
         prog="percolith report",
         description="Writes one HTML page of a run, DIR/report.html, that needs no other file and "
         "no network: what was run and how it ended, warnings, balances, results, the pictures of "
-        "percolith plot, animations that are in DIR, and a view of the last frame to move about "
+        "percolith plot, animations that are in DIR, and a view of the run over time to move about "
         "in. A run that has not ended is reported as far as it got.",
         epilog="Example: percolith report case.results")
     parser.add_argument("directory", metavar="DIR", help="the run directory")

@@ -17,6 +17,7 @@ PROGRAM = "chromium"
 FLAGS = ("--headless", "--no-sandbox", "--hide-scrollbars", "--use-angle=swiftshader",
          "--enable-unsafe-swiftshader", "--no-first-run", "--disable-background-networking",
          "--remote-debugging-pipe")
+_KEYS = {"ArrowLeft": 37, "ArrowRight": 39, "Home": 36, "End": 35, " ": 32, ",": 188}  # by numbers
 _PATIENCE = 60.0  # s that an answer may take
 
 
@@ -75,6 +76,12 @@ class Page:
     def mouse(self, kind: str, x: float, y: float, **more) -> None:
         """Sends mouseMoved, mousePressed, mouseReleased or mouseWheel at a place of the window."""
         self._send("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)
+
+    def press(self, key: str, text: str = "") -> None:
+        """Presses a key and lets it go, for what has the focus."""
+        for kind in ("keyDown", "keyUp"):
+            self._send("Input.dispatchKeyEvent", type=kind, key=key, code=key,
+                       windowsVirtualKeyCode=_KEYS[key], **({"text": text} if text else {}))
 
     def resize(self, width: int, height: int) -> None:
         self._send("Emulation.setDeviceMetricsOverride", width=width, height=height,

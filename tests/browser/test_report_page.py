@@ -149,6 +149,81 @@ def test_fields_cracks_and_displacements_change_the_picture(browser, pages):
     assert browser.problems == []
 
 
+MOMENT = "document.getElementById('view-moment').textContent"
+
+
+def test_the_slider_goes_through_the_run_by_keys(browser, pages):
+    opened(browser, pages["coupled"])
+    last, bar = pixels(browser), browser.evaluate("document.querySelector('.bars').textContent")
+    assert browser.evaluate(MOMENT) == "t = 5 ms"
+    browser.evaluate("document.getElementById('view-time').focus()")
+    browser.press("ArrowLeft")
+    browser.wait_for(f"{MOMENT} === 't = 3.333 ms'")
+    assert browser.evaluate("document.getElementById('view-time').ariaValueText") == "t = 3.333 ms"
+    assert (pixels(browser) != last).any()
+    browser.press("Home")
+    browser.wait_for(f"{MOMENT} === 't = 0 ms'")
+    # Colours mean the same at all times, until those of one time are asked for.
+    assert browser.evaluate("document.querySelector('.bars').textContent") == bar
+    assert tip_at(browser, 1.9, 0.9)[0].startswith("Pressure: ")
+    browser.evaluate("document.getElementById('view-alone').click()")
+    browser.evaluate("document.getElementById('view-alone').click()")
+    browser.press("End")
+    browser.evaluate("player.go(3)")
+    assert (pixels(browser) == last).all()
+    assert browser.problems == []
+    assert [one for one in browser.requests if not one.startswith("data:")] == [pages["coupled"]]
+
+
+def test_colours_of_one_time_alone(browser, pages):
+    opened(browser, pages["mechanics"])
+    browser.evaluate("choose('rock', 'principal_stress_2')")
+    ends = [browser.evaluate("rangeOf(state.rock).ends")]
+    browser.evaluate("document.getElementById('view-alone').click()")
+    for number in range(browser.evaluate("about.frames.length")):
+        browser.evaluate(f"player.go({number})")
+        ends.append(browser.evaluate("rangeOf(state.rock).ends"))
+    assert ends[0][0] == min(low for low, _ in ends)
+    assert len({tuple(one) for one in ends}) > 1
+
+
+def test_the_run_plays_to_its_end(browser, pages):
+    opened(browser, pages["coupled"])
+    button = "document.getElementById('view-play')"
+    browser.evaluate("canvas.focus()")
+    browser.press(",", ",")
+    browser.wait_for(f"{MOMENT} === 't = 3.333 ms'")
+    browser.press(" ", " ")
+    browser.wait_for(f"{MOMENT} === 't = 5 ms'")
+    browser.wait_for(f"{button}.textContent === 'Play'")
+    browser.evaluate(f"{button}.click()")  # at the end it begins anew
+    browser.wait_for(f"{MOMENT} === 't = 0 ms'")
+    assert browser.evaluate(f"{button}.textContent") == "Pause"
+    browser.wait_for(f"{MOMENT} === 't = 1.667 ms'")
+    browser.evaluate(f"{button}.click()")
+    assert browser.evaluate(f"{button}.textContent") == "Play"
+    assert browser.problems == []
+
+
+def test_an_open_crack_is_filled_and_outlined_on_both_faces(browser, pages):
+    opened(browser, pages["coupled"])
+    browser.evaluate("model.deform(2000); state.centre = [-0.9, 0]; state.zoom = 1000; redraw()")
+
+    def middle_column() -> np.ndarray:
+        seen = pixels(browser)
+        width, height = browser.evaluate("[gl.drawingBufferWidth, gl.drawingBufferHeight]")
+        return seen.reshape(height, width, 4)[:, width // 2, :3].astype(int)
+
+    shown = middle_column()
+    browser.evaluate("model.faces.count = 0")
+    lines = np.flatnonzero((middle_column() != shown).any(axis=1))
+    # The crack is almost 0.4 m wide here, and its outline no ribbon in its middle.
+    gap = np.flatnonzero(np.diff(lines) > 300)
+    assert len(gap) == 1 and len(lines) < 20
+    inside = shown[lines[gap[0]] + 1:lines[gap[0] + 1]]
+    assert np.ptp(inside, axis=0).max() <= 2 and (inside[0] < 250).any()
+
+
 def test_a_deformed_place_tells_where_it_was(browser, pages):
     opened(browser, pages["mechanics"])
     factor = browser.evaluate("about.scale")
@@ -157,8 +232,8 @@ def test_a_deformed_place_tells_where_it_was(browser, pages):
     # A corner in the middle of the side, and where it is shown.
     where = browser.evaluate("""(() => {
       const k = 2 * 900;
-      const at = [0, 1].map((i) => model.place[k + i] + about.scale * model.displacement[k + i]);
-      return [at[0] + about.origin[0], at[1] + about.origin[1], model.place[k] + about.origin[0],
+      const at = [0, 1].map((i) => model.places[k + i] + about.scale * model.displacement[k + i]);
+      return [at[0] + about.origin[0], at[1] + about.origin[1], model.places[k] + about.origin[0],
               Math.hypot(model.displacement[k], model.displacement[k + 1])];
     })()""")
     name, place = tip_at(browser, where[0], where[1])[:2]

@@ -146,8 +146,8 @@ def test_crack_growth_draws_the_columns_there_are(run, monkeypatch, tmp_path):
                         drawn.append((quantity, scale.unit)))
     path = draw_crack_growth(run, tmp_path / "growth.png")
     assert path.is_file() and [quantity for quantity, _ in drawn] == [
-        "Pressure at the source", "Length of cracks", "Volume", "Mean aperture",
-        "Volume that went in"]
+        "Pressure at the source", "Length of cracks", "Volume",
+        "Mean hydraulic aperture", "Volume that went in"]
     assert drawn[0][1] == "MPa" and drawn[3][1] == "µm"
     drawn.clear()
     columns = {name: run.history[name] for name in ("time_s", "crack_length_m")}
@@ -158,6 +158,33 @@ def test_crack_growth_draws_the_columns_there_are(run, monkeypatch, tmp_path):
     run.__dict__["history"] = Table({"time_s": columns["time_s"]})
     assert draw_crack_growth(run, tmp_path / "none.png") is None
     del run.__dict__["history"]
+
+
+def test_lengths_of_cracks_tell_which_joints_they_count(run, monkeypatch):
+    """Fluid may be in joints that soften and have not broken."""
+    for enters, joints in (("broken", "broken"), ("softening", "broken or softening")):
+        monkeypatch.setitem(run.resolved["model"], "fluid_enters", enters)
+        figure = run.plot_crack_growth()
+        axes = next(one for one in figure.axes if one.get_ylabel().startswith("Length of cracks"))
+        assert [text.get_text() for text in axes.get_legend().get_texts()] == [
+            f"open to fluid ({joints} joints)", "full of fluid"]
+
+
+def test_there_is_no_mean_aperture_before_there_is_a_crack(run, monkeypatch):
+    columns = dict(run.history.columns)
+    columns["crack_length_m"] = np.where(columns["time_s"] < 1e-3, 0.0, columns["crack_length_m"])
+    monkeypatch.setitem(run.__dict__, "history", Table(columns))
+    axes = next(one for one in run.plot_crack_growth().axes if "aperture" in one.get_ylabel())
+    assert (np.isnan(axes.lines[0].get_ydata()) == (columns["crack_length_m"] == 0.0)).all()
+    assert np.isnan(axes.lines[0].get_ydata()).any()
+
+
+def test_stress_of_probes_is_effective_where_there_is_fluid():
+    from percolith.probe_picture import _label
+    wet = Table({"stress_xx_Pa": np.zeros(1), "pressure_Pa": np.zeros(1)})
+    assert _label(wet, "stress_xx_Pa") == "Effective stress xx"
+    assert _label(wet, "pressure_Pa") == "Pressure"
+    assert _label(Table({"stress_xx_Pa": np.zeros(1)}), "stress_xx_Pa") == "Stress xx"
 
 
 def test_rigid_bodies_are_grey_under_pressure_too(tmp_path):

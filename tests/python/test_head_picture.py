@@ -9,7 +9,7 @@ import pytest
 from percolith.colour_range import ColourRange
 from percolith.flow_fields import is_dry, rock_values
 from percolith.head_picture import _split, draw_head
-from percolith.reporting.view_fields import _rock_field
+from percolith.reporting import view_fields
 from percolith.run_directory import Frame
 from percolith.units import Scale
 from percolith.vtu import Grid
@@ -102,6 +102,7 @@ def test_the_view_of_a_report_has_the_head_of_dry_rock_too():
     run = SimpleNamespace(has_flow=True, has_mechanics=False, path="run", resolved={})
     frame = tank(0.5)
     assert is_dry(frame.matrix).any()
-    head = _rock_field(run, frame, "head", 1.0)
+    head = view_fields.rock_field(run, [frame], "head", 1.0)
     assert head.at_points
-    np.testing.assert_array_equal(head.values, frame.matrix.point_data["head_m"])
+    np.testing.assert_array_equal(view_fields.rock_values(frame, "head"),
+                                  frame.matrix.point_data["head_m"])

@@ -12,7 +12,7 @@ import percolith
 import pytest
 from percolith import reports
 from percolith.reporting import page as page_module
-from percolith.reporting.packed import Packed, unpack
+from percolith.reporting.packed import STEPS, Packed, unpack
 from percolith.reporting.view_data import view_data
 from percolith.run_directory import RunDirectory
 from synthetic_coupled_run import OPENING, write_coupled_run
@@ -49,7 +49,8 @@ class Page(HTMLParser):
         if tag in ("th", "td"):
             self.rows[-1].append(data.replace("\N{NO-BREAK SPACE}", " "))
         elif tag == "script" and given.get("id", "").startswith("array-"):
-            packed = Packed(given["data-kind"], int(given["data-length"]), data)
+            rounding = [float(given[name]) for name in ("data-low", "data-step") if name in given]
+            packed = Packed(given["data-kind"], int(given["data-length"]), data, *rounding)
             self.arrays[given["id"].removeprefix("array-")] = unpack(packed)
             assert len(self.arrays[given["id"].removeprefix("array-")]) == packed.length
         elif given.get("id") == "view-about":
@@ -127,23 +128,88 @@ def test_a_film_that_is_too_large_is_named_alone(flow, without_pictures, monkeyp
     assert "pressure.gif). It has 0 MB and is not in this page." in page.said
 
 
-def rock_values(page: Page, name: str) -> np.ndarray:
-    return page.arrays[next(f["values"] for f in page.about["rock"] if f["name"] == name)]
+def rock_values(page: Page, name: str, frame: int = -1) -> np.ndarray:
+    """Values of the points, or of the triangles, at the time of a frame of the view."""
+    keys = page.about["frames"][frame]["arrays"]
+    values, node = page.arrays[keys[f"rock-{name}"]], page.arrays[keys["node"]]
+    field = next(field for field in page.about["rock"] if field["name"] == name)
+    by_node = field["atPoints"] and len(values) != len(node)
+    return values[node] if by_node else values
 
 
 def test_the_view_holds_the_numbers_of_the_last_frame(coupled, coupled_page):
     frame = RunDirectory(coupled).frame()
     matrix, about, arrays = frame.matrix, coupled_page.about, coupled_page.arrays
-    places = arrays["places"].reshape(-1, 2)[arrays["place"]] + about["origin"]
+    places = arrays["places"].reshape(-1, 2)[arrays["node"]] + about["origin"]
     assert places == pytest.approx(matrix.points, abs=1e-6)
     assert (arrays["cells"].reshape(-1, 3) == matrix.cells).all()
-    assert arrays["displacement"].reshape(-1, 2) == pytest.approx(
+    assert arrays["displacement"].reshape(-1, 2)[arrays["node"]] == pytest.approx(
         matrix.point_data["displacement_m"], rel=1e-6)
     assert rock_values(coupled_page, "pressure") == pytest.approx(
         matrix.point_data["pressure_Pa"], rel=1e-6)
     assert rock_values(coupled_page, "principal_stress_1") == pytest.approx(
         matrix.cell_data["principal_stress_1_Pa"], rel=1e-6)
     assert about["first"] == "pressure" and about["triangles"] == len(matrix.cells)
+
+
+def test_the_view_holds_other_times_rounded(coupled, coupled_page):
+    run, about, arrays = RunDirectory(coupled), coupled_page.about, coupled_page.arrays
+    assert len(about["frames"]) == len(run.times) == about["allFrames"] == 4
+    assert about["asked"] == 3
+    moments = [frame["moment"] for frame in about["frames"]]
+    assert moments[0] == "t = 0 ms" and moments[3] == "t = 5 ms" == about["moment"]
+    for number, (time, shown) in enumerate(zip(run.times, about["frames"])):
+        pressure = run.frame(time).matrix.point_data["pressure_Pa"]
+        step = np.ptp(pressure) / STEPS if number != about["asked"] else 0.0
+        held = rock_values(coupled_page, "pressure", number)
+        assert held == pytest.approx(pressure, rel=1e-6, abs=step)
+        assert shown["segments"] == len(run.frame(time).cracks.cells)
+        assert arrays[shown["arrays"]["crack-mode"]].size == shown["segments"]
+    # What does not change stands in the page once.
+    assert len({frame["arrays"]["cells"] for frame in about["frames"]}) == 1
+    assert {"cells@1", "places@1", "node@1", "rock-region@1"}.isdisjoint(arrays)
+    assert "Of 4 frames of the run 4 are here" in coupled_page.said
+
+
+def test_colours_of_the_view_suit_all_times(mechanics):
+    run = RunDirectory(mechanics)
+    about = view_data(run, run.frame(0.0)).about
+    one = next(field for field in about["rock"] if field["name"] == "displacement")
+    highest = [frame["ranges"]["rock-displacement"]["ends"][1] for frame in about["frames"]]
+    assert about["asked"] == 0 and len(highest) == len(run.times)
+    # At the start nothing has moved, and the colours of that time alone would say nothing.
+    moved = np.hypot(*run.frame().matrix.point_data["displacement_m"].T)
+    assert one["ends"][1] == max(highest) == pytest.approx(moved.max(), rel=0.1)
+
+
+def test_a_page_has_room_for_so_many_frames(coupled, coupled_page, without_pictures, monkeypatch):
+    monkeypatch.setattr("percolith.reporting.view_data.MOST_FRAMES", 3)
+    few = page_at(percolith.report(coupled, coupled / "few.html", time=1.7e-3))
+    moments = [frame["moment"] for frame in few.about["frames"]]
+    assert moments[::2] == ["t = 0 ms", "t = 5 ms"]
+    assert few.about["frames"][few.about["asked"]]["moment"] == few.about["moment"] == moments[1]
+    monkeypatch.setattr("percolith.reporting.view_data.LARGEST_SERIES", 10)
+    one = page_at(percolith.report(coupled, coupled / "one.html"))
+    assert len(one.about["frames"]) == 1 and 'type="range"' not in one.text
+    assert "This is one of 4 frames of the run" in one.said
+    assert len(one.text) < len(few.text) < len(coupled_page.text)
+
+
+def test_joints_that_hold_are_drawn_shut(coupled):
+    """They are springs and give a little, which large displacements would show as speckles."""
+    run = RunDirectory(coupled)
+    frame = run.frame()
+    moved = frame.matrix.point_data["displacement_m"].copy()
+    parted = moved + 1e-6 * np.random.default_rng(1).normal(size=moved.shape)
+    frame.matrix.point_data["displacement_m"] = parted
+    arrays = view_data(run, frame).arrays
+    node, held = unpack(arrays["node"]), unpack(arrays["displacement"]).reshape(-1, 2)
+    assert len(held) < 0.3 * len(moved)
+    for axis in (0, 1):
+        mean = np.bincount(node, parted[:, axis]) / np.bincount(node)
+        # Corners apart at another time, which hang together now, move as one.
+        assert held[:, axis] == pytest.approx(mean, abs=3e-6)
+    assert np.abs(held[node] - moved).max() < 3e-6
 
 
 def test_the_view_knows_which_cracks_hold_fluid(coupled, coupled_page):
@@ -216,6 +282,18 @@ def test_energy_held_at_the_start_closes_the_balance(mechanics, without_pictures
 def test_nothing_held_at_the_start_has_no_row(mechanics, without_pictures):
     page = page_at(percolith.report(mechanics, mechanics / "other.html"))
     assert not any(row[:1] == ["held at the start"] for row in page.rows)
+
+
+def test_lengths_of_cracks_tell_which_joints_they_count(coupled, without_pictures, tmp_path):
+    run = shutil.copytree(coupled, tmp_path / "run")
+    text = (run / "resolved.toml").read_text()
+    (run / "resolved.toml").write_text(text.replace(
+        'physics = "coupled"\n', 'physics = "coupled"\nfluid_enters = "softening"\n'))
+    (run / "summary.json").write_text(json.dumps({"end_time_s": 5e-3, "regions": ["plate"],
+        "mechanics": {"broken_joints": 0, "crack_length_m": 0.16, "filled_crack_length_m": 0.1}}))
+    page = page_at(percolith.report(run))
+    assert page.value("joints that broke, in all") == "0"
+    assert page.value("length open to fluid (broken or softening joints)") == "0.16 m"
 
 
 def test_rows_of_flow(flow, without_pictures):

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from percolith.reporting.outcome import outcome_of
-from percolith.reporting.packed import pack, unpack
+from percolith.reporting.packed import STEPS, pack, pack_rounded, unpack
 from percolith.reporting.quantities import number_text, quantity_text, unit_of, unit_text
 from percolith.reporting.resolved_text import read_resolved
 from percolith.reporting.tables import option_tables
@@ -40,6 +40,15 @@ def test_arrays_are_unpacked_to_the_same_bits(values, kind):
     packed = pack(array, kind)
     assert packed.length == len(values)
     assert unpack(packed).tobytes() == array.tobytes()
+
+
+@pytest.mark.parametrize("values", [
+    [2.0, -3.0, float("nan"), 7.0, 1.23456], [5.0, 5.0], [float("nan")], []])
+def test_rounded_arrays_lose_half_a_step(values):
+    packed = pack_rounded(np.array(values))
+    step = np.nanmax(values) - np.nanmin(values) if np.isfinite(values).any() else 0.0
+    assert packed.length == len(values)
+    assert unpack(packed) == pytest.approx(values, rel=1e-6, abs=0.51 * step / STEPS, nan_ok=True)
 
 
 RESOLVED = """format = 1

@@ -9,18 +9,28 @@ function bytesOf(text) {
   return bytes;
 }
 
+// Numbers of so many bytes each from their planes.
+function joinedPlanes(planes, length, size) {
+  const bytes = new Uint8Array(size * length);
+  for (let plane = 0; plane < size; ++plane) {
+    for (let i = 0; i < length; ++i) bytes[size * i + plane] = planes[plane * length + i];
+  }
+  return bytes.buffer;
+}
+
 async function unpack(key) {
-  const element = document.getElementById("array-" + key);
+  const element = document.getElementById("array-" + key), { kind, low, step } = element.dataset;
   const stream = new Blob([bytesOf(element.textContent)]).stream();
   const plain = stream.pipeThrough(new DecompressionStream("deflate"));
   const planes = new Uint8Array(await new Response(plain).arrayBuffer());
   const length = Number(element.dataset.length);
-  const bytes = new Uint8Array(4 * length);
-  for (let plane = 0; plane < 4; ++plane) {
-    for (let i = 0; i < length; ++i) bytes[4 * i + plane] = planes[plane * length + i];
+  const buffer = joinedPlanes(planes, length, kind === "uint16" ? 2 : 4);
+  if (kind === "float32") return new Float32Array(buffer);
+  if (kind === "uint16") {
+    const [first, each] = [Number(low), Number(step)];
+    return Float32Array.from(new Uint16Array(buffer), (n) => n === 65535 ? NaN : first + each * n);
   }
-  if (element.dataset.kind === "float32") return new Float32Array(bytes.buffer);
-  const numbers = new Uint32Array(bytes.buffer);
+  const numbers = new Uint32Array(buffer);
   for (let i = 1; i < length; ++i) numbers[i] += numbers[i - 1];
   return numbers;
 }

@@ -25,12 +25,12 @@ function ticks(low, high) {
 function showBar(bar, field) {
   bar.replaceChildren();
   if (!field) return;
-  const bytes = field.table.bytes, label = made("div", "bar-label", field.label);
+  const table = tableOf(field), bytes = table.bytes, label = made("div", "bar-label", field.label);
   bar.append(label);
   if (field.names.length) {
     for (const [number, name] of field.names.slice(0, MOST_SWATCHES).entries()) {
       const swatch = made("span", "swatch", name);
-      swatch.style.setProperty("--colour", colourText(bytes, number % field.table.size));
+      swatch.style.setProperty("--colour", colourText(bytes, number % table.size));
       bar.append(swatch);
     }
     const more = field.names.length - MOST_SWATCHES;
@@ -38,11 +38,12 @@ function showBar(bar, field) {
     return;
   }
   const stops = Array.from({ length: 33 }, (_, i) => colourText(bytes, Math.round(i * 255 / 32)));
-  const strip = made("div", "strip"), [low, high] = field.ends.map((end) => end / field.factor);
+  const strip = made("div", "strip"), range = rangeOf(field);
+  const [low, high] = range.ends.map((end) => end / field.factor);
   strip.style.background = `linear-gradient(to right, ${stops.join(",")})`;
   label.textContent += field.unit ? ` (${field.unit})` : "";
-  strip.classList.toggle("below", ["min", "both"].includes(field.beyond));
-  strip.classList.toggle("above", ["max", "both"].includes(field.beyond));
+  strip.classList.toggle("below", ["min", "both"].includes(range.beyond));
+  strip.classList.toggle("above", ["max", "both"].includes(range.beyond));
   strip.style.setProperty("--low", stops[0]);
   strip.style.setProperty("--high", stops[32]);
   for (const value of ticks(low, high)) {
@@ -53,12 +54,22 @@ function showBar(bar, field) {
   bar.append(strip);
 }
 
+function showBars() {
+  for (const kind of ["rock", "cracks"]) showBar(byId(`view-${kind}-bar`), state[kind]);
+}
+
+// The values of a field at the time that is shown, once they are unpacked.
+function valuesNow(field) {
+  return readyArrays.get(about.frames[state.frame].arrays[field.values]);
+}
+
 function rockText(found) {
-  const field = state.rock, values = readyArrays.get(field.values);
-  const points = [0, 1, 2].map((k) => 3 * found.triangle + k);
-  const mixed = (of) => points.reduce((sum, i, k) => sum + found.shares[k] * of(i), 0);
-  const value = field.atPoints ? mixed((i) => values[model.cells[i]]) : values[found.triangle];
-  const at = [0, 1].map((axis) => mixed((i) => model.place[2 * i + axis]) + about.origin[axis]);
+  const field = state.rock, values = valuesNow(field);
+  const corners = [0, 1, 2].map((k) => 3 * found.triangle + k);
+  const mixed = (of) => corners.reduce((sum, i, k) => sum + found.shares[k] * of(i), 0);
+  const ofCorner = (i) => values[model.numberOf(field, values, i)];
+  const value = field.atPoints ? mixed(ofCorner) : values[found.triangle];
+  const at = [0, 1].map((axis) => mixed((i) => model.places[2 * i + axis]) + about.origin[axis]);
   return [Number.isNaN(value) ? "Rigid body" : `${field.label}: ${valueText(field, value)}`,
           `x = ${numberText(at[0], 6)} m, y = ${numberText(at[1], 6)} m`];
 }
@@ -67,7 +78,7 @@ function rockText(found) {
 function crackText(segment) {
   const lines = ["On a crack"];
   for (const field of about.cracks) {
-    const values = readyArrays.get(field.values), i = field.atPoints ? 2 * segment : segment;
+    const values = valuesNow(field), i = field.atPoints ? 2 * segment : segment;
     if (!values || Number.isNaN(values[i])) continue;
     const value = field.atPoints ? (values[i] + values[i + 1]) / 2 : values[i];
     lines.push(`${field.label}: ${valueText(field, value)}`);
@@ -75,9 +86,12 @@ function crackText(segment) {
   return lines;
 }
 
+let pointed = null;  // where the pointer was last over the model
+
 function showTip(event) {
+  pointed = event;
   const place = placeAt(event.clientX, event.clientY);
-  const segment = model.movedLine && state.cracks
+  const segment = model.segments && state.cracks
     ? nearestSegment(model.movedLine, ...place, 5 / state.zoom) : -1;
   const found = model.find(...place);
   const lines = [...(found ? rockText(found) : []),
@@ -112,7 +126,7 @@ function followPointers() {
   for (const kind of ["pointerup", "pointercancel"]) {
     canvas.addEventListener(kind, (event) => down.delete(event.pointerId));
   }
-  canvas.addEventListener("pointerleave", () => { tip.hidden = true; });
+  canvas.addEventListener("pointerleave", () => { tip.hidden = true; pointed = null; });
   canvas.addEventListener("wheel", (event) => {
     event.preventDefault();
     const lines = event.deltaMode === 1 ? 30 : 1;
@@ -130,7 +144,8 @@ function followKeys() {
   const actions = {
     ArrowLeft: () => shift(-far, 0), ArrowRight: () => shift(far, 0), ArrowUp: () => shift(0, far),
     ArrowDown: () => shift(0, -far), "+": () => zoomBy(1.3, ...middle()),
-    "-": () => zoomBy(1 / 1.3, ...middle()), 0: showWhole,
+    "-": () => zoomBy(1 / 1.3, ...middle()), 0: showWhole, " ": () => player?.toggle(),
+    ",": () => player?.go(state.frame - 1), ".": () => player?.go(state.frame + 1),
   };
   canvas.addEventListener("keydown", (event) => {
     if (!(event.key in actions) || event.ctrlKey || event.altKey || event.metaKey) return;
@@ -156,15 +171,15 @@ function followControls() {
 
 async function start() {
   if (!gl) throw Error("this browser shows no WebGL 2");
+  model = new Model();
   model.dark = colourTable(gl, { colours: "ICAg/w==", names: ["outline"] });
-  await model.load();
-  model.deform(about.scale);
-  for (const field of about.cracks) arrayOf(field.values);
+  model.factor = about.scale;
+  wanted.cracks = about.cracks.find((one) => one.name === byId("view-cracks")?.value) ?? null;
   await choose("rock", byId("view-rock").value);
-  if (about.segments) await choose("cracks", byId("view-cracks").value);
   followPointers();
   followKeys();
   followControls();
+  if (about.frames.length > 1) player = new Player();
   showWhole();
   canvas.dataset.state = "ready";
 }

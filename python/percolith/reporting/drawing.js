@@ -71,44 +71,47 @@ function compiled(gl, vertex, fragment) {
   return program;
 }
 
-// What is drawn by one program: `count` triangles' corners, or as many lines of two ends.
+// What is drawn by one program: corners of triangles, or lines of two ends.
 class Shape {
-  constructor(gl, program, count, isLines, place, displacement) {
-    Object.assign(this, { gl, program, count, isLines });
+  constructor(gl, program, isLines) {
+    Object.assign(this, { gl, program, isLines, count: 0 });
     this.arrays = gl.createVertexArray();
-    this.values = gl.createBuffer();
-    const width = isLines ? 2 : 1;
-    this.feed("place", gl.createBuffer(), place, 2 * width);
-    this.feed("displacement", gl.createBuffer(), displacement, 2 * width);
-    this.feed("value", this.values, new Float32Array(width * count), width);
+    this.buffers = new Map();
+  }
+
+  // Places and displacements, x and y of each corner or end.
+  setPlaces(place, displacement) {
+    const width = this.isLines ? 4 : 2;
+    this.count = place.length / width;
+    this.feed("place", place, width);
+    this.feed("displacement", displacement, width);
+  }
+
+  // Values of every corner or end; NaN where there is none.
+  setValues(values) {
+    this.feed("value", values.map((v) => (Number.isNaN(v) ? ABSENT : v)), this.isLines ? 2 : 1);
   }
 
   // Without an array the attribute is zero; left alone its last component would be one.
-  feed(name, buffer, array, width) {
+  feed(name, array, width) {
     const gl = this.gl, location = gl.getAttribLocation(this.program, name);
     if (!array) {
       gl.vertexAttrib4f(location, 0, 0, 0, 0);
       return;
     }
+    if (!this.buffers.has(name)) this.buffers.set(name, gl.createBuffer());
     gl.bindVertexArray(this.arrays);
-    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, array, gl.STATIC_DRAW);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.buffers.get(name));
+    gl.bufferData(gl.ARRAY_BUFFER, array, gl.DYNAMIC_DRAW);
     gl.enableVertexAttribArray(location);
     gl.vertexAttribPointer(location, width, gl.FLOAT, false, 0, 0);
     gl.vertexAttribDivisor(location, this.isLines ? 1 : 0);
     gl.bindVertexArray(null);
   }
 
-  // Values of every corner or end; NaN where there is none.
-  setValues(values) {
-    const gl = this.gl;
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.values);
-    gl.bufferData(gl.ARRAY_BUFFER, values.map((v) => (Number.isNaN(v) ? ABSENT : v)),
-                  gl.STATIC_DRAW);
-  }
-
   draw(uniforms, table) {
     const gl = this.gl;
+    if (!this.count) return;
     gl.useProgram(this.program);
     gl.bindTexture(gl.TEXTURE_2D, table.texture);
     for (const [name, value] of Object.entries({ ...uniforms, tableSize: table.size })) {

@@ -14,12 +14,13 @@ from percolith.reporting.quantities import number_text, quantity_text
 from percolith.reporting.resolved_text import ResolvedText, read_resolved
 from percolith.reporting.results import result_tables
 from percolith.reporting.tables import Table, option_tables
-from percolith.reporting.view_data import ViewData, view_data
+from percolith.reporting.view_data import LARGEST_SERIES, MOST_FRAMES, ViewData, view_data
 from percolith.run_directory import RunDirectory
 
 _PHYSICS = {"seepage": "flow through rock at rest", "mechanics": "motion of dry rock",
             "coupled": "fluid and rock, coupled"}
-_SCRIPTS = ("arrays.js", "drawing.js", "finder.js", "view.js", "controls.js")
+_SCRIPTS = ("arrays.js", "drawing.js", "finder.js", "model.js", "view.js", "controls.js",
+            "player.js")
 _LOG_LINES = 400  # of a long log the last ones
 
 
@@ -98,4 +99,5 @@ def page_of(run: RunDirectory, time: float | None = None, scale: float | None = 
         warnings=warnings_of(run), view=_view(run, time, scale), results=result_tables(run),
         pictures=drawn(run, time, scale) + animations(run), numbers=tables,
         options=option_tables(run.resolved, given), machine=_machine(run), resolved=resolved,
-        log=_log(run), style=_asset("page.css"), scripts=[_asset(name) for name in _SCRIPTS])
+        log=_log(run), most_frames=MOST_FRAMES, largest_series=LARGEST_SERIES // 1_000_000,
+        style=_asset("page.css"), scripts=[_asset(name) for name in _SCRIPTS])

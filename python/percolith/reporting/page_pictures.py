@@ -8,9 +8,10 @@ from dataclasses import dataclass
 
 from percolith.flow_fields import LABEL
 from percolith.mechanics_fields import LABEL as MECHANICS_LABEL
+from percolith.mechanics_fields import label_of
 from percolith.pictures import MapOptions, default_fields, draw_map, table_figures
 from percolith.reporting.outcome import history_of
-from percolith.run_directory import RunDirectory
+from percolith.run_directory import Frame, RunDirectory
 from percolith.saving import png_of
 
 LARGEST_ANIMATION = 30_000_000  # bytes
@@ -62,14 +63,19 @@ def _picture(run: RunDirectory, name: str, figure) -> PagePicture:
     return PagePicture(name, _caption(run, name), "image/png", _text(png_of(figure)))
 
 
+def _map(run: RunDirectory, frame: Frame, name: str, options: MapOptions) -> PagePicture:
+    caption = f"{LABEL.get(name) or label_of(frame, name)}."
+    figure = draw_map(run, frame, name, options).figure
+    return PagePicture(name, caption, "image/png", _text(png_of(figure)))
+
+
 def drawn(run: RunDirectory, time: float | None, scale: float | None) -> list[PagePicture]:
     """What `percolith plot` draws of the frame nearest to `time`; nothing is left in the run
     directory. Of a run without frames what its tables give, without tables nothing of them."""
     pictures = []
     if run.times:
         frame, options = run.frame(time), MapOptions(scale)
-        pictures += [_picture(run, name, draw_map(run, frame, name, options).figure)
-                     for name in default_fields(run, frame)]
+        pictures += [_map(run, frame, name, options) for name in default_fields(run, frame)]
     if run.probe_names:
         pictures.append(_picture(run, "probes", run.plot_probes()))
     if history_of(run):

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from percolith.b_value import b_value, reason_for_none
+from percolith.crack_words import open_to_fluid
 from percolith.history_columns import HELD, INPUT
 from percolith.reporting.outcome import history_of
 from percolith.reporting.quantities import number_text, quantity_text
@@ -30,7 +31,7 @@ _BROKEN = {"broken_joints_tensile": "joints that broke in tension",
            "closed_joints": "broken from the start, faces still together",
            "fragments": "fragments", "fragment_area_m2": "area of all fragments",
            "largest_fragment_area_m2": "area of the largest fragment"}
-_CRACKS = {"crack_length_m": "length of the cracks", "filled_crack_length_m": "of it full of fluid",
+_CRACKS = {"filled_crack_length_m": "of it full of fluid",
            "mean_aperture_m": "mean hydraulic aperture",
            "crack_volume_m2": "room in the cracks", "crack_fluid_m2": "fluid in the cracks",
            "leaked_m2": "leaked from cracks into the rock"}
@@ -45,6 +46,7 @@ _EXTREMES = {"minimum_pressure_Pa": "lowest pressure in pores",
 _MASS = {"in_m2": "came in", "out_m2": "went out", "stored_m2": "stored",
          "in_place_m2": "in place", "error_m2": "error: in − out − stored"}
 _VOLUMES = {*_MASS, "crack_volume_m2", "crack_fluid_m2", "leaked_m2"}
+_NOISE = 1e-12  # of the energies: rounding
 _DENSITY = "Volumes are at reference density, of a slice of one metre."
 
 
@@ -103,7 +105,7 @@ def _energy(results: dict[str, Any], at_start: float) -> Table:
     given, held, lost = (sum(results.get(name, 0.0) for name in names)
                          for names in (INPUT, HELD, _LOST))
     if rows:
-        if at_start:
+        if at_start > _NOISE * max(map(abs, (given, held, lost))):
             rows.append(["held at the start", quantity_text(at_start, "J/m")])
         rows.append(["given in all", quantity_text(given, "J/m")])
         rows.append(["held and lost in all", quantity_text(held + lost, "J/m")])
@@ -161,7 +163,8 @@ def result_tables(run: RunDirectory) -> list[Table]:
             "broken_joints", "closed_joints", "fragments") if name in results}
         results = {**results, **counts}
         tables += [_energy(results, _held_at_the_start(run)), _breakage(run, results),
-                   Table("Cracks", _chosen(results, _CRACKS)), *_peaks(results),
+                   Table("Cracks", _chosen(results, {
+                       "crack_length_m": f"length {open_to_fluid(run)}", **_CRACKS})), *_peaks(results),
                    Table("Motion", _chosen(results, _MOTION))]
     if run.has_flow:
         extremes = run.summary.get("extremes", {}) if run.has_summary else last

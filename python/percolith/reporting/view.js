@@ -7,77 +7,9 @@ const canvas = byId("view-canvas"), tip = byId("view-tip");
 const gl = canvas.getContext("webgl2", { antialias: about.triangles < 50000,
                                          preserveDrawingBuffer: true });
 
-// Places and displacements of rock and cracks, and how they are drawn.
-class Model {
-  async load() {
-    const cells = this.cells = await arrayOf("cells");
-    const points = gathered(await arrayOf("places"), await arrayOf("place"), 2);
-    const displacement = about.deforms ? await arrayOf("displacement") : null;
-    this.place = gathered(points, cells, 2);
-    this.displacement = displacement && gathered(displacement, cells, 2);
-    const triangles = compiled(gl, TRIANGLES, COLOURING);
-    this.rock = new Shape(gl, triangles, cells.length, false, this.place, this.displacement);
-    if (!about.segments) return;
-    if (about.deforms) await this.loadGaps(points, displacement, triangles);
-    else this.line = await arrayOf("ends");
-    const lines = compiled(gl, LINES, COLOURING);
-    this.cracks = new Shape(gl, lines, about.segments, true, this.line, this.lineDisplacement);
-  }
-
-  async loadGaps(points, displacement, triangles) {
-    const gaps = await arrayOf("gaps"), corners = [0, 1, 2, 0, 2, 3];
-    const numbers = Uint32Array.from({ length: 6 * about.segments },
-                                     (_, i) => gaps[4 * Math.floor(i / 6) + corners[i % 6]]);
-    this.gaps = new Shape(gl, triangles, numbers.length, false, gathered(points, numbers, 2),
-                          gathered(displacement, numbers, 2));
-    const middle = (values) => Float32Array.from({ length: 4 * about.segments }, (_, i) => {
-      const gap = 4 * Math.floor(i / 4), end = Math.floor((i % 4) / 2), axis = i % 2;
-      const faces = end ? [gaps[gap + 1], gaps[gap + 2]] : [gaps[gap], gaps[gap + 3]];
-      return 0.5 * (values[2 * faces[0] + axis] + values[2 * faces[1] + axis]);
-    });
-    [this.line, this.lineDisplacement] = [middle(points), middle(displacement)];
-  }
-
-  moved(place, displacement, factor) {
-    return displacement ? place.map((value, i) => value + factor * displacement[i]) : place;
-  }
-
-  deform(factor) {
-    this.finder = null;
-    this.movedLine = this.line && this.moved(this.line, this.lineDisplacement, factor);
-    this.factor = factor;
-  }
-
-  find(x, y) {
-    this.finder ??= new Finder(this.moved(this.place, this.displacement, this.factor));
-    return this.finder.at(x, y);
-  }
-
-  // Values of each corner of the rock, or of both ends of each segment; numbers with names begin
-  // anew where the colours end.
-  async valuesOf(field) {
-    const values = await arrayOf(field.values), isRock = about.rock.includes(field);
-    const size = isRock ? this.cells.length : 2 * about.segments, each = isRock ? 3 : 2;
-    let result = values;
-    if (!field.atPoints) result = Float32Array.from({ length: size }, (_, i) => values[Math.floor(i / each)]);
-    else if (isRock) result = gathered(values, this.cells, 1);
-    return result;
-  }
-
-  async colour(field) {
-    field.table ??= colourTable(gl, field);
-    const count = field.table.size, values = await this.valuesOf(field);
-    const shown = field.names.length > count ? values.map((v) => v % count) : values;
-    if (about.rock.includes(field)) { this.rock.setValues(shown); return; }
-    this.cracks.setValues(shown);
-    const ends = [0, 1, 1, 0, 1, 0];
-    this.gaps?.setValues(Float32Array.from({ length: 6 * about.segments },
-                                           (_, i) => shown[2 * Math.floor(i / 6) + ends[i % 6]]));
-  }
-}
-
-const model = new Model();
-const state = { centre: [0, 0], zoom: 1, rock: null, cracks: null, edges: false, asked: false };
+let model = null;
+const state = { centre: [0, 0], zoom: 1, frame: -1, rock: null, cracks: null, edges: false,
+                alone: false, asked: false };
 
 // x and y in m, from the middle of the model, of a place of the window.
 function placeAt(x, y) {
@@ -92,9 +24,21 @@ function redraw() {
   requestAnimationFrame(() => { state.asked = false; draw(); });
 }
 
-function endsOf(field) {
-  return field.names.length ? [0, Math.max(field.table.size - 1, 1e-9)] : field.ends;
+function tableOf(field) {
+  return field.table ??= colourTable(gl, field);
 }
+
+// Where the colours of a field end: of all times, or of the time that is shown alone.
+function rangeOf(field) {
+  return (state.alone && about.frames[state.frame].ranges[field.values]) || field;
+}
+
+function endsOf(field) {
+  return field.names.length ? [0, Math.max(tableOf(field).size - 1, 1e-9)] : rangeOf(field).ends;
+}
+
+const DARK = [0.125, 0.125, 0.125];  // as the outlines of pictures
+const FAR = [1e38, 2e38];  // above all values, so that all have the one colour of model.dark
 
 function draw() {
   const ratio = window.devicePixelRatio || 1, box = canvas.getBoundingClientRect();
@@ -105,18 +49,25 @@ function draw() {
   gl.clear(gl.COLOR_BUFFER_BIT);
   const where = { centre: state.centre, halfSize: size.map((side) => side / 2), zoom: state.zoom * ratio,
                   factor: model.factor, edges: 0, absent: [0.7, 0.7, 0.7] };
-  model.rock.draw({ ...where, ends: endsOf(state.rock), edges: state.edges ? 1 : 0 }, state.rock.table);
-  if (!model.cracks || !state.cracks) return;
-  const ends = endsOf(state.cracks), table = state.cracks.table, absent = [-1, -1, -1];  // dry ones are not shown
+  const showsCracks = model.segments && state.cracks;
+  // Below the rock, so that gaps without a value do not shine white but are dark as outlines are.
+  if (showsCracks) model.gaps.draw({ ...where, ends: FAR, absent: DARK }, model.dark);
+  model.rock.draw({ ...where, ends: endsOf(state.rock), edges: state.edges ? 1 : 0 }, tableOf(state.rock));
+  if (showsCracks) drawCracks(where, ratio);
+}
+
+// Dark lines along both faces first, so that the colours of gaps that meet are one and the outline
+// goes around them all, however far the faces have parted.
+function drawCracks(where, ratio) {
+  const ends = endsOf(state.cracks), table = tableOf(state.cracks), absent = [-1, -1, -1];  // not drawn
   const thin = state.cracks.name === "mode" ? 0.5 : ABSENT;
-  model.gaps?.draw({ ...where, ends, absent }, table);
-  model.cracks.draw({ ...where, ends: [1e38, 2e38], absent, thin, width: 4 * ratio },
-                    { ...table, texture: model.dark.texture });
-  model.cracks.draw({ ...where, ends, absent, thin, width: 2.4 * ratio }, table);
+  model.faces.draw({ ...where, ends: FAR, absent, thin, width: 4 * ratio }, model.dark);
+  model.gaps.draw({ ...where, ends, absent }, table);
+  model.faces.draw({ ...where, ends, absent, thin, width: 2.4 * ratio }, table);
 }
 
 function showWhole() {
-  const moved = model.moved(model.place, model.displacement, model.factor);
+  const moved = model.moved(model.places, model.displacement, model.factor);
   let [left, low, right, high] = [Infinity, Infinity, -Infinity, -Infinity];
   for (let i = 0; i < moved.length; i += 2) {
     [left, right] = [Math.min(left, moved[i]), Math.max(right, moved[i])];
@@ -137,17 +88,32 @@ function zoomBy(times, x, y) {
   redraw();
 }
 
-const turns = { rock: 0, cracks: 0 };
+const wanted = { frame: about.asked, rock: null, cracks: null };
+let turn = 0, player = null;
 
-async function choose(kind, name) {
-  const turn = ++turns[kind];
-  const field = about[kind].find((one) => one.name === name) ?? null;
-  if (field) {
-    await arrayOf(field.values);
-    if (turn !== turns[kind]) return;  // another was chosen meanwhile
-    await model.colour(field);
+// Shows what is wanted as soon as its arrays are unpacked, unless something else is by then.
+async function show(change) {
+  Object.assign(wanted, change);
+  const mine = ++turn, { frame, rock, cracks } = wanted;
+  const shapes = await model.load(frame);
+  const names = [rock, cracks].flatMap((field) => (field ? [field.values] : []));
+  const values = await arraysOf(frame, names);
+  arraysOf(frame, about.cracks.map((field) => field.values));  // for the values under the pointer
+  if (mine !== turn) return;
+  const segments = about.frames[frame].segments;
+  if (frame !== state.frame) {
+    model.place(shapes, segments);
+    model.deform(model.factor);
   }
-  state[kind] = field;
-  showBar(byId(`view-${kind}-bar`), field);
+  Object.assign(state, { frame, rock, cracks });
+  model.colourRock(rock, values[rock.values]);
+  if (cracks && segments) model.colourCracks(cracks, values[cracks.values]);
+  showBars();
+  player?.tell();
+  if (pointed && !tip.hidden) showTip(pointed);
   redraw();
+}
+
+function choose(kind, name) {
+  return show({ [kind]: about[kind].find((one) => one.name === name) ?? null });
 }

@@ -1,21 +1,32 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the interactive view of a page is given: places, displacements and fields of a frame."""
+"""What the interactive view of a page is given: places, displacements and fields of some frames."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from percolith.animation import default_field
-from percolith.deformation import can_deform, crack_gaps
+from percolith.animation import default_field, thinned
+from percolith.deformation import can_deform
 from percolith.exaggeration import automatic_scale
 from percolith.model_figure import moment
-from percolith.reporting.packed import Packed, pack
-from percolith.reporting.view_fields import ViewField, crack_fields, rock_fields
-from percolith.rigid_bodies import rigid_triangles
+from percolith.reporting.packed import Packed
+from percolith.reporting.view_fields import (
+    ViewField,
+    crack_field,
+    crack_fields,
+    has_cracks,
+    rock_field,
+    rock_fields,
+)
+from percolith.reporting.view_frames import FrameArrays, HeldArrays, nodes_over_time
 from percolith.run_directory import Frame, RunDirectory
 from percolith.view import split
+
+MOST_FRAMES = 16
+LARGEST_SERIES = 6_000_000  # bytes of a page that the frames beside the one asked for may take
 
 
 @dataclass(frozen=True)
@@ -26,90 +37,113 @@ class ViewData:
     arrays: dict[str, Packed]
 
 
-def _distinct(places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The different ones of places (n, 2), in the order in which they first come, and which of
-    them each is (n,): neighbours stay neighbours, which packs well."""
-    _, first, inverse = np.unique(places @ [1.0, 1.0j], return_index=True, return_inverse=True)
-    order = np.argsort(first, kind="stable")
-    rank = np.empty(len(order), np.uint32)
-    rank[order] = np.arange(len(order))
-    return places[first[order]], rank[inverse.ravel()]
+def _range_alone(of_all: ViewField, of_one: ViewField) -> dict:
+    """The ends of the colours of one time; those of all times where its field is the same
+    everywhere, so that the ends of its colours say nothing."""
+    says_more = np.ptp(of_one.ends) <= np.ptp(of_all.ends)
+    return {"ends": of_one.ends if says_more else of_all.ends,
+            "beyond": of_one.beyond if says_more else of_all.beyond}
 
 
-def _described(field: ViewField, key: str) -> dict:
-    return {"name": field.name, "label": field.label, "atPoints": field.at_points,
-            "colours": field.colours, "ends": field.ends, "factor": field.scale.factor,
-            "unit": field.unit, "beyond": field.beyond, "names": field.names, "values": key}
+@dataclass(frozen=True)
+class _Series:
+    """Frames with what they have in common. Joints that only part a rigid body from the rock are
+    no cracks of `shown`, as in the pictures."""
+
+    run: RunDirectory
+    frames: Sequence[Frame]
+    shown: Sequence[Frame]
+    rock: Sequence[ViewField]
+    cracks: Sequence[ViewField]
+    scale: float
+    origin: np.ndarray
+
+    def pack(self, number: int, nodes, held: HeldArrays, is_rounded: bool) -> dict:
+        """Packs the arrays of a frame into `held` and describes it."""
+        frame, shown = self.frames[number], self.shown[number]
+        arrays = FrameArrays(self.run, frame, nodes, held, is_rounded)
+        arrays.add_mesh(self.origin)
+        if can_deform(frame.matrix):
+            arrays.add_motion(shown.cracks)
+        arrays.add_rock(self.rock)
+        cracked = bool(self.cracks) and has_cracks(shown)
+        segments = arrays.add_cracks(self.cracks, shown.cracks, self.origin) if cracked else 0
+        alone = [("rock", one, rock_field) for one in self.rock]
+        alone += [("crack", one, crack_field) for one in self.cracks if cracked]
+        ranges = {f"{kind}-{one.name}": _range_alone(one, field_of(self.run, [shown], one.name,
+                                                                   self.scale))
+                  for kind, one, field_of in alone if not one.names}
+        return {"moment": moment(self.run, frame), "segments": segments, "arrays": arrays.keys,
+                "triangles": len(frame.matrix.cells),
+                "ranges": ranges}
 
 
-def _without_bodies(values: np.ndarray, at_points: bool, cells: np.ndarray,
-                    rigid: np.ndarray) -> np.ndarray:
-    """NaN for rigid bodies, which no field of the rock describes."""
-    if not rigid.any():
-        return values
-    values = np.array(values, float)
-    values[cells[rigid].ravel() if at_points else rigid] = np.nan
-    return values
+def _series(run: RunDirectory, frames: Sequence[Frame], asked: int,
+            scale: float | None) -> _Series:
+    rocks = [split(run, frame)[0] for frame in frames]
+    matrix = frames[asked].matrix
+    if scale is None:
+        scale = (automatic_scale(matrix, [rock.matrix for rock in rocks]) if can_deform(matrix)
+                 else 1.0)
+    shown = [Frame(frame.time, frame.matrix, rock.cracks) for frame, rock in zip(frames, rocks)]
+    origin = 0.5 * (matrix.points.min(axis=0) + matrix.points.max(axis=0))
+    return _Series(run, frames, shown, rock_fields(run, shown, scale),
+                   crack_fields(run, shown, scale), scale, origin)
 
 
-def _add_rock(run: RunDirectory, frame: Frame, origin: np.ndarray, scale: float, about: dict,
-              arrays: dict[str, Packed]) -> None:
-    matrix = frame.matrix
-    places, place = _distinct(matrix.points)
-    arrays["places"] = pack(places - origin)
-    arrays["place"] = pack(place, "uint32")
-    arrays["cells"] = pack(matrix.cells, "uint32")
-    if about["deforms"]:
-        arrays["displacement"] = pack(matrix.point_data["displacement_m"])
-    body = rigid_triangles(run, matrix)
-    # A model of rigid bodies alone is shown as rock.
-    rigid = body & ~body.all()
-    for field in rock_fields(run, frame, scale):
-        key = f"rock-{field.name}"
-        values = field.values if field.names else _without_bodies(
-            field.values, field.at_points, matrix.cells, rigid)
-        arrays[key] = pack(values)
-        about["rock"].append(_described(field, key))
+def _described(one: ViewField, kind: str) -> dict:
+    return {"name": one.name, "label": one.label, "atPoints": one.at_points,
+            "colours": one.colours, "ends": one.ends, "factor": one.scale.factor,
+            "unit": one.unit, "beyond": one.beyond, "names": one.names,
+            "values": f"{kind}-{one.name}"}
 
 
-def _add_cracks(run: RunDirectory, frame: Frame, origin: np.ndarray, scale: float, about: dict,
-                arrays: dict[str, Packed]) -> None:
-    """Of rock that deforms the four corners of each gap, two on either face, by their points; of
-    rock at rest both ends of each segment."""
-    fields = crack_fields(run, frame, scale)
-    if not fields:
-        return
-    segment = np.arange(len(frame.cracks.cells))
-    if about["deforms"]:
-        gaps = crack_gaps(frame)
-        segment = gaps.segment
-        arrays["gaps"] = pack(gaps.corners, "uint32")
-    else:
-        arrays["ends"] = pack(frame.cracks.points[frame.cracks.cells] - origin)
-    about["segments"] = len(segment)
-    about["firstOfCracks"] = "pressure" if run.has_flow else fields[0].name
-    for field in fields:
-        key = f"crack-{field.name}"
-        arrays[key] = pack(field.values[segment])
-        about["cracks"].append(_described(field, key))
+def _first_of_cracks(run: RunDirectory, fields: Sequence[ViewField]) -> str:
+    return "pressure" if run.has_flow or not fields else fields[0].name
+
+
+def _size_of_last(run: RunDirectory, scale: float | None) -> int:
+    """What a rounded frame takes of a page, at most, as what is in it grows with time."""
+    held, frames = HeldArrays(), [run.frame()]
+    series = _series(run, frames, 0, scale)
+    series.pack(0, nodes_over_time(frames)[0], held, True)
+    return held.letters
+
+
+def chosen_times(run: RunDirectory, asked: float, scale: float | None) -> list[float]:
+    """The times (s) of the frames that a page has room for, evenly among all, the first and the
+    last included, and the frame asked for in place of the one next to it."""
+    if len(run.times) < 2:
+        return [asked]
+    room = LARGEST_SERIES // max(_size_of_last(run, scale), 1)
+    if not room:
+        return [asked]
+    times = thinned(run.times, min(MOST_FRAMES, 1 + room))
+    if asked not in times:
+        inner = times[1:-1] or times
+        nearest = min(inner, key=lambda time: abs(time - asked))
+        times[times.index(nearest)] = asked
+    return times
 
 
 def view_data(run: RunDirectory, frame: Frame, scale: float | None = None) -> ViewData:
-    """The view of a frame; `scale` multiplies the displacements, None chooses it as `percolith
-    plot` does."""
-    deforms = can_deform(frame.matrix)
-    rock, _ = split(run, frame)
-    if scale is None:
-        scale = automatic_scale(frame.matrix, [rock.matrix]) if deforms else 1.0
-    low, high = frame.matrix.points.min(axis=0), frame.matrix.points.max(axis=0)
-    origin = 0.5 * (low + high)
-    about = {"moment": moment(run, frame), "deforms": deforms, "scale": scale,
-             "triangles": len(frame.matrix.cells), "origin": origin.tolist(),
-             "size": (high - low).tolist(), "first": default_field(run), "rock": [],
-             "cracks": [], "segments": 0}
-    arrays: dict[str, Packed] = {}
-    _add_rock(run, frame, origin, scale, about, arrays)
-    # Joints that only part a rigid body from the rock are left out, as in the pictures.
-    shown = Frame(frame.time, frame.matrix, rock.cracks)
-    _add_cracks(run, shown, origin, scale, about, arrays)
-    return ViewData(about, arrays)
+    """The view of a frame, and of others beside it as far as a page has room; `scale` multiplies
+    the displacements, None chooses it as `percolith plot` does."""
+    times = chosen_times(run, frame.time, scale)
+    asked = times.index(frame.time)
+    frames = [frame if time == frame.time else run.frame(time) for time in times]
+    series, nodes, held = _series(run, frames, asked, scale), nodes_over_time(frames), HeldArrays()
+    # The frame asked for comes first, so that its arrays have the plain names.
+    order = [asked, *(i for i in range(len(frames)) if i != asked)]
+    packed = {i: series.pack(i, nodes[i], held, i != asked) for i in order}
+    size = np.ptp(frame.matrix.points, axis=0)
+    about = {"moment": moment(run, frame), "deforms": can_deform(frame.matrix),
+             "scale": series.scale, "triangles": len(frame.matrix.cells),
+             "origin": series.origin.tolist(), "size": size.tolist(),
+             "first": default_field(run), "segments": packed[asked]["segments"],
+             "rock": [_described(one, "rock") for one in series.rock],
+             "cracks": [_described(one, "crack") for one in series.cracks],
+             "firstOfCracks": _first_of_cracks(run, series.cracks),
+             "frames": [packed[i] for i in range(len(frames))], "asked": asked,
+             "allFrames": len(run.times)}
+    return ViewData(about, held.arrays)

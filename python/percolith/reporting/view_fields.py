@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -15,6 +15,7 @@ from percolith.crack_fields import (
     end_values,
     has_crack_field,
     range_of_cracks,
+    shown_values,
 )
 from percolith.crack_picture import MODES
 from percolith.flow_fields import FIELDS, LABEL
@@ -29,7 +30,7 @@ from percolith.reporting.quantities import unit_text
 from percolith.rock_picture import GREYS, drawn_values, ranks_by_size
 from percolith.run_directory import Frame, RunDirectory
 from percolith.units import Scale
-from percolith.view import view_of_frame
+from percolith.view import View, view_of
 from percolith.vtu import Grid
 
 
@@ -40,8 +41,7 @@ class ViewField:
 
     name: str
     label: str
-    values: np.ndarray  # one a point, or one a triangle or segment; SI, or numbers with names
-    at_points: bool
+    at_points: bool  # whether there is a value a point, or else one a triangle or segment
     colours: str  # as of colour_table
     ends: tuple[float, float] = (0.0, 1.0)  # SI
     scale: Scale = Scale(1.0, "")
@@ -53,93 +53,115 @@ class ViewField:
         return unit_text(self.scale.unit)
 
 
-def _spanning(name: str, label: str, values: np.ndarray, at_points: bool, shown: ColourRange,
+def _spanning(name: str, label: str, at_points: bool, shown: ColourRange,
               colours: str) -> ViewField:
-    return ViewField(name, label, values, at_points, colours, (shown.low, shown.high), shown.scale,
+    return ViewField(name, label, at_points, colours, (shown.low, shown.high), shown.scale,
                      shown.beyond)
 
 
-def _fragments(frame: Frame) -> ViewField:
+def _fragments(frames: Sequence[Frame]) -> ViewField:
     """Fragments by their size, the largest first, as in the pictures."""
-    count = fragment_count(frame)
-    return ViewField("fragments", "Fragments", ranks_by_size(values_of(frame, "fragments")), False,
-                     colour_table.distinct(count),
-                     names=[f"fragment {i + 1} by size of {count}" for i in range(count)])
+    counts = [fragment_count(frame) for frame in frames]
+    most = max(counts)
+    of_all = f" of {most}" if min(counts) == most else ""
+    return ViewField("fragments", "Fragments", False, colour_table.distinct(most),
+                     names=[f"fragment {i + 1} by size{of_all}" for i in range(most)])
 
 
-def _regions(run: RunDirectory, frame: Frame) -> ViewField:
+def _regions(run: RunDirectory, frames: Sequence[Frame]) -> ViewField:
     """Regions by their names, which stand in the summary; before it is there by their numbers."""
-    number = frame.matrix.cell_data["region"]
+    highest = max(int(frame.matrix.cell_data["region"].max(initial=-1)) for frame in frames)
     names = run.summary.get("regions", []) if run.has_summary else []
-    names = names or [f"region {i}" for i in range(int(number.max(initial=-1)) + 1)]
-    return ViewField("region", "Regions", number, False, colour_table.distinct(len(names)),
-                     names=names)
+    names = names or [f"region {i}" for i in range(highest + 1)]
+    return ViewField("region", "Regions", False, colour_table.distinct(len(names)), names=names)
 
 
-def _offers(run: RunDirectory, frame: Frame) -> Iterator[str]:
-    """Fields that this frame has and that say something."""
-    points = frame.matrix.point_data
+def _offers(run: RunDirectory, frames: Sequence[Frame]) -> Iterator[str]:
+    """Fields that these frames have and that say something in one of them."""
+    points = [frame.matrix.point_data for frame in frames]
     if run.has_flow:
         yield "pressure"
-        if "head_m" in points:
+        if "head_m" in points[-1]:
             yield "head"
-        if np.ptp(points["saturation"]) > 0:
+        if any(np.ptp(one["saturation"]) > 0 for one in points):
             yield "saturation"
         yield "flux"
     if run.has_mechanics:
-        yield from (name for name in MECHANICS_FIELDS
-                    if name != "velocity" or np.any(points["velocity_m_per_s"]))
+        moves = any(np.any(one["velocity_m_per_s"]) for one in points)
+        yield from (name for name in MECHANICS_FIELDS if name != "velocity" or moves)
 
 
-def _rock_field(run: RunDirectory, frame: Frame, name: str, scale: float) -> ViewField:
+def _view(run: RunDirectory, frames: Sequence[Frame], name: str, scale: float) -> View:
+    return view_of(run, [lambda frame=frame: frame for frame in frames], name, scale)
+
+
+def rock_field(run: RunDirectory, frames: Sequence[Frame], name: str, scale: float) -> ViewField:
+    """A field of the rock with colours that suit all frames; `scale` is the factor of the
+    displacements, which decides what a picture shows."""
+    if name == "region":
+        return _regions(run, frames)
     if name == "fragments":
-        return _fragments(frame)
-    shown = view_of_frame(run, frame, name, scale).rock
+        return _fragments(frames)
+    shown = _view(run, frames, name, scale).rock
     colours = colour_table.of_map(GREYS if name == "damage" else "viridis")
-    values, at_points = drawn_values(frame, name)
-    label = LABEL[name] if name in FIELDS else label_of(frame, name)
-    return _spanning(name, label, values, at_points, shown, colours)
+    label = LABEL[name] if name in FIELDS else label_of(frames[-1], name)
+    return _spanning(name, label, drawn_values(frames[-1], name)[1], shown, colours)
 
 
-def rock_fields(run: RunDirectory, frame: Frame, scale: float) -> list[ViewField]:
-    """The fields of the rock at the time of `frame`; `scale` is the factor of the displacements,
-    which decides what a picture shows."""
-    fields = [_rock_field(run, frame, name, scale) for name in _offers(run, frame)]
-    return [*fields, _regions(run, frame)]
+def rock_fields(run: RunDirectory, frames: Sequence[Frame], scale: float) -> list[ViewField]:
+    """All fields of the rock that these frames have."""
+    return [rock_field(run, frames, name, scale) for name in (*_offers(run, frames), "region")]
 
 
-def _modes(cracks: Grid) -> ViewField:
-    order = list(MODES)
-    number = np.array([order.index(mode) for mode in cracks.cell_data["mode"].tolist()])
-    return ViewField("mode", "Mode of breakage", number, False,
+def rock_values(frame: Frame, name: str) -> np.ndarray:
+    """Values of a field of the rock: SI, or numbers with names."""
+    if name == "region":
+        return frame.matrix.cell_data["region"]
+    values = drawn_values(frame, name)[0]
+    return ranks_by_size(values) if name == "fragments" else values
+
+
+def _modes() -> ViewField:
+    return ViewField("mode", "Mode of breakage", False,
                      colour_table.of_names([colour for _, colour in MODES.values()]),
                      names=[name for name, _ in MODES.values()])
 
 
-def _crack_range(run: RunDirectory, frame: Frame, name: str, scale: float,
-                 values: np.ndarray) -> tuple[ColourRange, str]:
-    """The ends of the colours and their map, those of the rock where a picture of the same quantity
-    shows both in one."""
+def has_cracks(frame: Frame) -> bool:
+    return frame.cracks is not None and len(frame.cracks.cells) > 0
+
+
+def crack_values(cracks: Grid, name: str) -> np.ndarray:
+    """Values of a field of the cracks: (segments, 2) of both ends, or (segments,); NaN where a
+    segment has none, as where it holds no fluid."""
+    if name == "mode":
+        order = list(MODES)
+        return np.array([order.index(mode) for mode in cracks.cell_data["mode"].tolist()])
+    has_value = chosen_segments(cracks, name)
+    ends = np.where(has_value[:, None], end_values(cracks, name), np.nan)
+    return ends if CRACK_FIELDS[name].array in cracks.point_data else ends[:, 0]
+
+
+def crack_field(run: RunDirectory, frames: Sequence[Frame], name: str, scale: float) -> ViewField:
+    """A field of the cracks with colours that suit all frames, one of which has cracks: those of
+    the rock where a picture of the same quantity shows both in one."""
+    if name == "mode":
+        return _modes()
+    known = CRACK_FIELDS[name]
     if name in FIELDS and name != "flux":
-        view = view_of_frame(run, frame, name, scale)
-        return (view.cracks, "inferno") if view.cracks else (view.rock, "viridis")
-    return range_of_cracks(name, values), "inferno"
+        view = _view(run, frames, name, scale)
+        shown, colours = (view.cracks, "inferno") if view.cracks else (view.rock, "viridis")
+    else:
+        values = [shown_values(frame, name) for frame in frames]
+        shown, colours = range_of_cracks(name, np.concatenate(values)), "inferno"
+    cracks = next(frame.cracks for frame in frames if has_cracks(frame))
+    at_points = known.array in cracks.point_data
+    return _spanning(name, known.label, at_points, shown, colour_table.of_map(colours))
 
 
-def crack_fields(run: RunDirectory, frame: Frame, scale: float) -> list[ViewField]:
-    """The fields of the cracks: (segments, 2) values of both ends, or one a segment; NaN where a
-    segment has none, as where it holds no fluid. No field where there is no crack."""
-    cracks = frame.cracks
-    if cracks is None or not len(cracks.cells):
-        return []
-    fields = [_modes(cracks)] if has_crack_field(cracks, "mode") else []
-    for name, known in CRACK_FIELDS.items():
-        if not has_crack_field(cracks, name):
-            continue
-        has_value = chosen_segments(cracks, name)
-        ends = np.where(has_value[:, None], end_values(cracks, name), np.nan)
-        shown, colours = _crack_range(run, frame, name, scale, ends[has_value].ravel())
-        at_points = known.array in cracks.point_data
-        fields.append(_spanning(name, known.label, ends if at_points else ends[:, 0], at_points,
-                                shown, colour_table.of_map(colours)))
-    return fields
+def crack_fields(run: RunDirectory, frames: Sequence[Frame], scale: float) -> list[ViewField]:
+    """All fields of the cracks that these frames have. None where there is no crack."""
+    cracked = [frame for frame in frames if has_cracks(frame)]
+    names = [name for name in ("mode", *CRACK_FIELDS)
+             if cracked and has_crack_field(cracked[-1].cracks, name)]
+    return [crack_field(run, frames, name, scale) for name in names]
