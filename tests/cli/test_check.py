@@ -102,6 +102,8 @@ def test_units_that_were_forgotten_are_asked_for(percolith):
     assert done.stderr.startswith(
         "--set: warning: material.rock.young_modulus = 20 is 20 Pa, less than the 1 MPa of a soft "
         'soil. Is that meant? A number without a unit is in Pa; 20 GPa is written "20 GPa"')
+    done = percolith("check", case, "--set", "material.rock.mode_1_energy=1.5e6")
+    assert "It is an energy: of a toughness K" in done.stderr
     done = percolith("check", case, "--set", "material.rock.friction_angle=30")
     assert done.returncode == 2
     assert 'degrees are written "30 deg"' in done.stderr

@@ -120,7 +120,7 @@ def test_coupled_runs_sum_up_what_fluid_did(percolith, tmp_path):
     assert pressures[peak["time_s"]] == peak["pressure_Pa"] == max(pressures.values())
     source = next(line for line in done.stdout.splitlines() if line.startswith("source.pump: "))
     assert "injected, highest pressure " in source
-    cracks = f"cracks: {results['crack_length_m']:.4g} m broken, "
+    cracks = f"cracks: {results['crack_length_m']:.4g} m open to fluid, "
     assert any(line.startswith(cracks) for line in done.stdout.splitlines())
 
 

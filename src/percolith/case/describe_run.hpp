@@ -106,7 +106,7 @@ void describe(V& option, simulation::Probe& m) {
                          "Number of points on the line, both ends included. Needs from and to."});
   option(m.in, Choice<Domain>{"in",
                               {{Domain::matrix, "matrix"}, {Domain::crack, "crack"}},
-                              "Whether the matrix or the nearest fracture is probed."});
+                              "Whether the matrix or the nearest crack is probed."});
 }
 
 }  // namespace percolith::case_file

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/case/plausibility.hpp"
 
-#include "percolith/case/node.hpp"
+#include "percolith/case/doubts.hpp"
+#include "percolith/case/plausible_loads.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
-#include <string_view>
-#include <utility>
 
 namespace percolith::case_file {
 
@@ -17,23 +15,7 @@ namespace {
 
 using simulation::Setup;
 
-constexpr double none = std::numeric_limits<double>::infinity();
-
-/// A unit in which a number is often thought, and what it is in SI.
-struct UsualUnit {
-  std::string_view name;
-  double factor = 1.0;
-};
-
-/// What rocks have of a quantity, in SI.
-struct Plausible {
-  std::string_view unit;
-  double least = -none;
-  double most = none;
-  std::string_view range;    ///< what is wrong beyond it, in words
-  double usual_most = none;  ///< of values in the units in which they are often thought
-  std::vector<UsualUnit> usual;
-};
+constexpr double none = Plausible::none;
 
 const Plausible stiffness{
     "Pa", 1e6, none, "less than the 1 MPa of a soft soil", 1e12, {{"GPa", 1e9}, {"MPa", 1e6}}};
@@ -42,77 +24,41 @@ const Plausible strength{
 const Plausible density{
     "kg/m3", 500.0, 10000.0, "outside of the 500 to 10000 kg/m3 of rocks", 1e4, {{"g/cm3", 1e3}}};
 const Plausible permeability{"m2", -none,
-                             1e-6, "more than the 1e-6 m2 of coarse gravel",
-                             1e-6, {{"mdarcy", 9.869233e-16}, {"darcy", 9.869233e-13}}};
+                             1e-7, "more than the 1e-7 m2 of coarse gravel",
+                             1e-7, {{"mdarcy", 9.869233e-16}, {"darcy", 9.869233e-13}}};
 const Plausible angle{"rad",
                       -2.0 * std::numbers::pi,
                       2.0 * std::numbers::pi,
                       "more than a full turn",
                       2.0 * std::numbers::pi,
                       {{"deg", std::numbers::pi / 180.0}}};
+const Plausible energy{"J/m2", -none, 1e5, "more than the 1e5 J/m2 of the toughest rock", none, {}};
+const Plausible aperture{
+    "m", -none, 0.02, "more than the 20 mm of a wide fissure", 0.01, {{"mm", 1e-3}, {"um", 1e-6}}};
 
-bool holds(const Plausible& range, double value) {
-  return value >= range.least && value <= range.most;
+/// A toughness that stands for an energy is turned into one, if Young's modulus is known.
+void judge_energy(const std::string& key, double value, const material::ElasticRock* solid,
+                  Doubts& doubts) {
+  std::string advice = " It is an energy: of a toughness K it is K^2 (1 - nu^2)/E in plane strain";
+  if (solid != nullptr && solid->young_modulus > 0.0) {
+    const double nu = solid->poisson_ratio;
+    advice += fmt::format(", for K = {:g} Pa m^(1/2) here {:.3g} J/m2", value,
+                          value * value * (1.0 - nu * nu) / solid->young_modulus);
+  }
+  doubts.judge(key, value, energy, advice);
 }
 
-/// Collects warnings of options whose values are outside of what rocks have.
-class Doubts {
-public:
-  explicit Doubts(const KeyLocations& locations) : locations_(locations) {}
-
-  /// Judges the `value` (SI) of the option `key`, if it was written.
-  void judge(const std::string& key, double value, const Plausible& range) {
-    if (locations_.given(key) && !holds(range, value)) {
-      add(key, fmt::format("is {:g} {}, {}. {}", value, range.unit, range.range,
-                           question(key, value, range)));
-    }
-  }
-  void add(const std::string& key, const std::string& doubt) {
-    const Written written = locations_.nearest(key);
-    warnings_.emplace_back(written.location.line,
-                           fmt::format("{}: warning: {}{} {}", to_text(written.location), key,
-                                       written.value.empty() ? "" : " = " + written.value, doubt));
-  }
-  /// In the order of the file.
-  [[nodiscard]] std::vector<std::string> take() {
-    std::stable_sort(warnings_.begin(), warnings_.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<std::string> texts;
-    for (auto& [line, text] : warnings_) {
-      texts.push_back(std::move(text));
-    }
-    return texts;
-  }
-
-private:
-  /// Asks whether the value is meant; a number without a unit may be one of a usual unit.
-  [[nodiscard]] std::string question(const std::string& key, double value,
-                                     const Plausible& range) const {
-    const std::string& text = locations_.nearest(key).value;
-    const bool has_unit = text.find_first_of("\"'[{") != std::string::npos;
-    const auto unit = std::find_if(range.usual.begin(), range.usual.end(), [&](const auto& usual) {
-      const double usually = value * usual.factor;
-      return holds(range, usually) && usually <= range.usual_most;
-    });
-    if (has_unit || unit == range.usual.end()) {
-      return "Is that meant?";
-    }
-    const std::string usual = fmt::format("{:g} {}", value, unit->name);
-    return fmt::format("Is that meant? A number without a unit is in {}; {} is written \"{}\"",
-                       range.unit, usual, usual);
-  }
-
-  const KeyLocations& locations_;
-  std::vector<std::pair<int, std::string>> warnings_;  // with their lines
-};
-
-void judge_strength(const std::string& path, const material::JointStrength& rock, Doubts& doubts) {
+/// `solid` is the rock of a material, null for a fracture.
+void judge_strength(const std::string& path, const material::JointStrength& rock,
+                    const material::ElasticRock* solid, Doubts& doubts) {
   if (rock.tensile_strength > 0.0) {
     doubts.judge(path + ".tensile_strength", rock.tensile_strength, strength);
   }
   if (rock.cohesion > 0.0) {
     doubts.judge(path + ".cohesion", rock.cohesion, strength);
   }
+  judge_energy(path + ".mode_1_energy", rock.mode_1_energy, solid, doubts);
+  judge_energy(path + ".mode_2_energy", rock.mode_2_energy, solid, doubts);
 }
 
 void judge_rock(const std::string& path, const simulation::Material& material, Doubts& doubts) {
@@ -122,7 +68,7 @@ void judge_rock(const std::string& path, const simulation::Material& material, D
   doubts.judge(path + ".normal_young_modulus", solid.normal_young_modulus.value_or(0.0), stiffness);
   doubts.judge(path + ".normal_shear_modulus", solid.normal_shear_modulus.value_or(0.0), stiffness);
   doubts.judge(path + ".bedding_angle", solid.bedding_angle, angle);
-  judge_strength(path, material.strength, doubts);
+  judge_strength(path, material.strength, &solid, doubts);
 }
 
 /// What a rock of solid grains has is a range; beyond it the equations still hold.
@@ -133,6 +79,17 @@ void judge_biot(const std::string& path, const simulation::Material& material, D
                fmt::format("is outside of the range from the porosity, {:g}, to 1 that a rock of "
                            "solid grains has",
                            material.rock.porosity));
+  }
+}
+
+void judge_apertures(const Setup& setup, Doubts& doubts) {
+  for (const auto& [name, group] : setup.fracture) {
+    doubts.judge("fracture." + name + ".initial_aperture", group.fracture.initial_aperture,
+                 aperture);
+  }
+  if (setup.new_cracks) {
+    doubts.judge("new_cracks.initial_aperture", setup.new_cracks->fracture.initial_aperture,
+                 aperture);
   }
 }
 
@@ -157,8 +114,14 @@ std::vector<std::string> plausibility_warnings(const Setup& setup, const KeyLoca
   }
   for (const auto& [name, fracture] : setup.fracture) {
     if (has_motion(physics)) {
-      judge_strength("fracture." + name, fracture.strength, doubts);
+      judge_strength("fracture." + name, fracture.strength, nullptr, doubts);
     }
+  }
+  if (has_flow(physics) && setup.fluid.viscosity != 1.0) {
+    judge_apertures(setup, doubts);
+  }
+  if (has_motion(physics)) {
+    judge_loads(setup, doubts);
   }
   return doubts.take();
 }

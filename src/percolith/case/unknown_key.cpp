@@ -44,13 +44,23 @@ struct Elsewhere {
 constexpr std::string_view conduction_of_cracks =
     "a fracture conducts by its aperture a, as a^3/12 (cubic law): initial_aperture; "
     "transmissivity replaces that law";
-constexpr std::array<Elsewhere, 6> known_elsewhere{{
+constexpr std::string_view energy_of_toughness =
+    "the toughness K_Ic follows from mode_1_energy G: K_Ic^2 = G E/(1 - nu^2) in plane strain";
+constexpr std::array<Elsewhere, 14> known_elsewhere{{
     {"fracture", "permeability", conduction_of_cracks},
     {"fracture", "conductivity", conduction_of_cracks},
     {"fracture", "hydraulic_conductivity", conduction_of_cracks},
     {"new_cracks", "permeability", conduction_of_cracks},
     {"new_cracks", "conductivity", conduction_of_cracks},
     {"new_cracks", "hydraulic_conductivity", conduction_of_cracks},
+    {"material", "fracture_toughness", energy_of_toughness},
+    {"material", "toughness", energy_of_toughness},
+    {"material", "K_Ic", energy_of_toughness},
+    {"material", "mode_1_toughness", energy_of_toughness},
+    {"fracture", "fracture_toughness", energy_of_toughness},
+    {"fracture", "toughness", energy_of_toughness},
+    {"fracture", "K_Ic", energy_of_toughness},
+    {"fracture", "mode_1_toughness", energy_of_toughness},
 }};
 
 /// "" where nothing is known of the option.

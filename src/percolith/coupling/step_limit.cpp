@@ -110,4 +110,28 @@ double StepLimit::motion(const CoupledModel& model) {
   return step;
 }
 
+double StepLimit::in_new_cracks(const CoupledModel& model) const {
+  const mechanics::Model& rock = model.rock.model();
+  const seepage::Model& water = model.water;
+  double step = std::numeric_limits<double>::infinity();
+  for (Index j = 0; j < rock.mesh.joints(); ++j) {
+    if (rock.joints.state[at(j)] != mechanics::JointState::bonded) {
+      continue;
+    }
+    // The node between two such joints of a straight crack has half the volume of either.
+    const double length = rock.mesh.joint_length(j);
+    const double aperture = water.fracture[at(model.options.group[at(j)])].initial_aperture;
+    const double k =
+        fluid_stiffness(length, 2.0 * length, water.fluid.bulk_modulus, length * aperture);
+    for (const auto& side : rock.mesh.joint[at(j)].corner) {
+      const Index t = mesh::triangle_of(side[0]);
+      const double inverse_mass = rock.triangles.inverse_mass[at(t)];
+      if (inverse_mass > 0.0) {
+        step = std::min(step, mechanics::stable_step(rock, triangle_[at(t)], k * inverse_mass));
+      }
+    }
+  }
+  return step;
+}
+
 }  // namespace percolith::coupling

@@ -43,4 +43,9 @@ struct PlaceOnJoint {
 [[nodiscard]] std::optional<PlaceOnJoint>
 nearest_joint(const Mesh& mesh, std::span<const Index> joints, const Point& p);
 
+/// Those of `joints` from which `p` is at most `share` of their length away, nearest first (the
+/// lowest number of several).
+[[nodiscard]] std::vector<PlaceOnJoint> joints_near(const Mesh& mesh, std::span<const Index> joints,
+                                                    const Point& p, double share);
+
 }  // namespace percolith::mesh

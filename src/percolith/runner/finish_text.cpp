@@ -95,7 +95,7 @@ void add_fluid(const simulation::Summary& summary, std::vector<std::string>& lin
   };
   if (value("crack_length_m") > 0.0) {
     const double leaked = value("leaked_m2");
-    lines.push_back(fmt::format("cracks: {:.4g} m broken, {:.4g} m of it filled with fluid; {:.3g} "
+    lines.push_back(fmt::format("cracks: {:.4g} m open to fluid, {:.4g} m of it full; {:.3g} "
                                 "m2 {}",
                                 value("crack_length_m"), value("filled_crack_length_m"),
                                 std::abs(leaked),

@@ -67,19 +67,34 @@ std::vector<Index> groups_of_joints(const Setup& setup, const mesh::Mesh& mesh) 
   return group;
 }
 
-WaterRun make_water(const Setup& setup, const mesh::GmshMesh& mesh) {
+seepage::Model make_water(const Setup& setup, const mesh::GmshMesh& mesh) {
   seepage::Model model = build_model(setup, mesh);
   require_datum(setup, model);
   if (setup.initial.steady) {
     Execution serial(Backend::serial);
     seepage::solve_steady(model, serial, way_out_of_suction);
   }
+  return model;
+}
+
+std::map<std::string, Index> add_drainage(const Setup& setup, seepage::Model& water) {
   std::map<std::string, Index> drainage;
   for (const auto& [name, excavation] : setup.excavation) {
-    drainage[name] = coupling::add_drainage(model, "excavation." + name, excavation.pressure);
+    drainage[name] = coupling::add_drainage(water, "excavation." + name, excavation.pressure);
   }
-  ProbeReader reader(setup.probe, model, setup.model.head_datum);
-  return {std::move(model), std::move(reader), 0.0, std::move(drainage)};
+  return drainage;
+}
+
+/// Joints that fluid is in or may enter.
+std::vector<Index> joints_for_fluid(const mechanics::Model& rock) {
+  std::vector<Index> joints;
+  for (Index j = 0; j < rock.mesh.joints(); ++j) {
+    const mechanics::JointState state = rock.joints.state[at(j)];
+    if (state != mechanics::JointState::tied && state != mechanics::JointState::rigid) {
+      joints.push_back(j);
+    }
+  }
+  return joints;
 }
 
 /// What the motion takes of a setup. In a quasi-static run it only finds the balance of forces: its
@@ -102,8 +117,8 @@ public:
                                           groups_of_joints(setup, water_.model.mesh)}},
         limit_(model_), is_slow_(setup.time.scheme == Scheme::quasi_static) {
     water_.in_place_at_start = seepage::fluid_in_place(water_.model, run_.execution);
-    const auto more = model_warnings(setup, water_.model);
-    run_.summary.warnings.insert(run_.summary.warnings.end(), more.begin(), more.end());
+    warn(model_warnings(setup, water_.model));
+    warn(water_.probes.warnings());
     if (is_slow_) {
       choose_flow_step(setup.time);
       scheme_ = std::make_unique<coupling::QuasiStatic>(
@@ -183,6 +198,14 @@ protected:
   [[nodiscard]] std::int64_t iterations() const override { return scheme_->iterations(); }
 
 private:
+  /// Probes in the rock have told what is wrong with them once already.
+  void warn(const std::vector<std::string>& warnings) {
+    std::vector<std::string>& known = run_.summary.warnings;
+    std::copy_if(warnings.begin(), warnings.end(), std::back_inserter(known),
+                 [&](const std::string& warning) {
+                   return std::find(known.begin(), known.end(), warning) == known.end();
+                 });
+  }
   [[nodiscard]] double longest_pore_step() const { return run_.setup.time.safety * limit_.pores(); }
   void choose_flow_step(const Stepping& time);
   void judge_flow_step(double dt);
@@ -305,6 +328,10 @@ CheckReport CoupledTask::check() const {
     // The stiffness of the fluid adds to all others.
     report.limits.back().step = limit_now_;
   }
+  const double later = run_.setup.time.safety * limit_.in_new_cracks(model_);
+  if (!is_slow_ && later < longest_step()) {
+    report.mechanics.emplace_back("step where cracks open as thin as they start (s)", later);
+  }
   return report;
 }
 
@@ -334,14 +361,18 @@ void CoupledTask::require_valid() const {
 
 std::unique_ptr<Task> make_coupled_task(const Setup& setup, const mesh::GmshMesh& mesh) {
   require_sensible_intervals(setup);
-  WaterRun water = make_water(setup, mesh);
-  const std::vector<double> biot = biot_of_regions(setup, water.model.mesh);
+  seepage::Model water = make_water(setup, mesh);
+  std::map<std::string, Index> drainage = add_drainage(setup, water);
+  const std::vector<double> biot = biot_of_regions(setup, water.mesh);
   const Setup motion = setup_of_motion(setup);
   SolidStart start = build_solid(motion, mesh, [&](mechanics::Model& rock) {
-    coupling::moisten(rock, water.model, biot, setup.model.joint_stress);
+    coupling::moisten(rock, water, biot, setup.model.joint_stress);
   });
-  return std::make_unique<CoupledTask>(setup, make_solid_run(motion, std::move(start)),
-                                       std::move(water));
+  ProbeReader probes(setup.probe, water, joints_for_fluid(start.dynamics.model()),
+                     setup.model.head_datum);
+  return std::make_unique<CoupledTask>(
+      setup, make_solid_run(motion, std::move(start)),
+      WaterRun{std::move(water), std::move(probes), 0.0, std::move(drainage)});
 }
 
 }  // namespace percolith::simulation

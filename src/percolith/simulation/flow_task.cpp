@@ -19,7 +19,7 @@ RunState make_run(const Setup& setup, const mesh::GmshMesh& mesh) {
   require_sensible_intervals(setup);
   seepage::Model model = build_model(setup, mesh);
   require_datum(setup, model);
-  ProbeReader probes(setup.probe, model, setup.model.head_datum);
+  ProbeReader probes(setup.probe, model, model.cracks.broken_joints(), setup.model.head_datum);
   return {.model = std::move(model),
           .execution = Execution(Backend::host, omp_get_max_threads()),
           .probes = std::move(probes),

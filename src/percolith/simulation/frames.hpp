@@ -7,6 +7,7 @@
 #include "percolith/simulation/setup.hpp"
 
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,17 +24,21 @@ namespace percolith::simulation {
 [[nodiscard]] MatrixFrame matrix_frame(const seepage::Model& model, double head_datum);
 [[nodiscard]] CrackFrame crack_frame(const seepage::Model& model, double head_datum);
 
-/// Reads probes of a flow model at points found once in the mesh.
+/// Reads probes of a flow model at points found once in the mesh. A point in a crack reads the
+/// nearest open one within half an edge; where none has come yet it is dry: saturation, aperture
+/// and flux 0, at the pressure of the air.
 class ProbeReader {
 public:
-  /// Throws InputError as `locate_probes` does.
+  /// `cracks` are the joints that are open or may open in time. Throws InputError as
+  /// `locate_probes` does. Warns of points at which no crack is open yet.
   ProbeReader(const std::map<std::string, Probe>& probes, const seepage::Model& model,
-              double head_datum);
+              std::span<const mesh::Index> cracks, double head_datum);
   [[nodiscard]] std::vector<ProbeSample> read(const seepage::Model& model) const;
   [[nodiscard]] const std::vector<std::string>& warnings() const { return places_.warnings; }
 
 private:
   [[nodiscard]] ProbeRow matrix_row(const seepage::Model& model, const ProbeTarget& target) const;
+  [[nodiscard]] ProbeRow dry_row(const seepage::Model& model, const ProbeTarget& target) const;
   [[nodiscard]] ProbeRow crack_row(const seepage::Model& model, const ProbeTarget& target) const;
   ProbePlaces places_;
   double head_datum_;

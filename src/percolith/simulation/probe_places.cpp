@@ -38,9 +38,10 @@ ProbePlaces locate_probes(const std::map<std::string, Probe>& probes, const mesh
     const std::vector<Point> points = points_of(probe);
     for (const Point& p : points) {
       if (probe.in == Domain::crack) {
-        const auto place = nearest_joint(mesh, cracks, p);
-        if (place && place->distance <= 0.5 * mesh.joint_length(place->joint)) {
-          located.targets.push_back({p, {}, *place});
+        constexpr double near = 0.5;  // of the length of a joint
+        std::vector<mesh::PlaceOnJoint> joints = joints_near(mesh, cracks, p, near);
+        if (!joints.empty()) {
+          located.targets.push_back({p, {}, std::move(joints)});
         }
       } else if (const auto place = finder.find(p)) {
         located.targets.push_back({p, *place, {}});

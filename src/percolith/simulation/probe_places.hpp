@@ -15,7 +15,7 @@ namespace percolith::simulation {
 struct ProbeTarget {
   Point place;
   mesh::PlaceInTriangle in_matrix;
-  mesh::PlaceOnJoint in_crack;
+  std::vector<mesh::PlaceOnJoint> in_crack;  ///< where a crack may pass, nearest first
 };
 
 /// The points of one probe.
@@ -31,10 +31,10 @@ struct ProbePlaces {
 };
 
 /// Finds the points of all probes in the mesh; `cracks` are the joints a probe in cracks may stand
-/// on. Throws InputError (key `probe.NAME...`) for a point outside of the rock, or in a crack where
-/// there is none within half an edge. Points of a line in a crack that are farther away than that,
-/// and points of a line outside of the rock, are left out with a warning; a line without any point
-/// is refused.
+/// on, those that may break in time among them: a point has all that are within half an edge.
+/// Throws InputError (key `probe.NAME...`) for a point outside of the rock, or in a crack where
+/// there is none so near. Points of a line in a crack that are farther away than that, and points
+/// of a line outside of the rock, are left out with a warning; a line without any point is refused.
 [[nodiscard]] ProbePlaces locate_probes(const std::map<std::string, Probe>& probes,
                                         const mesh::Mesh& mesh,
                                         std::span<const mesh::Index> cracks);

@@ -2,6 +2,10 @@
 #include "percolith/seepage/pore.hpp"
 #include "percolith/simulation/frames.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace percolith::simulation {
 namespace {
 
@@ -12,12 +16,41 @@ double between(const std::vector<double>& field, const std::array<Index, 2>& end
   return (1.0 - fraction) * field[at(ends[0])] + fraction * field[at(ends[1])];
 }
 
+/// Where a probe stands in a crack that is open now, or null.
+const mesh::PlaceOnJoint* open_place(const seepage::Model& model, const ProbeTarget& target) {
+  const auto open =
+      std::find_if(target.in_crack.begin(), target.in_crack.end(),
+                   [&](const auto& place) { return model.cracks.is_broken(place.joint); });
+  return open == target.in_crack.end() ? nullptr : &*open;
+}
+
+/// Points of probes that no crack has reached are told of before the run.
+std::vector<std::string> dry_warnings(const seepage::Model& model,
+                                      const std::vector<LocatedProbe>& probes) {
+  std::vector<std::string> warnings;
+  for (const LocatedProbe& probe : probes) {
+    const auto dry =
+        std::count_if(probe.targets.begin(), probe.targets.end(), [&](const ProbeTarget& target) {
+          return open_place(model, target) == nullptr;
+        });
+    if (probe.in == Domain::crack && dry > 0) {
+      warnings.push_back(fmt::format(
+          "probe.{}: no crack is open at {} of {} points when the run starts; they read dry "
+          "(saturation and aperture 0) until one opens within half an edge",
+          probe.name, dry, probe.targets.size()));
+    }
+  }
+  return warnings;
+}
+
 }  // namespace
 
 ProbeReader::ProbeReader(const std::map<std::string, Probe>& probes, const seepage::Model& model,
-                         double head_datum)
-    : places_(locate_probes(probes, model.mesh, model.cracks.broken_joints())),
-      head_datum_(head_datum) {}
+                         std::span<const Index> cracks, double head_datum)
+    : places_(locate_probes(probes, model.mesh, cracks)), head_datum_(head_datum) {
+  const std::vector<std::string> dry = dry_warnings(model, places_.probes);
+  places_.warnings.insert(places_.warnings.end(), dry.begin(), dry.end());
+}
 
 ProbeRow ProbeReader::matrix_row(const seepage::Model& model, const ProbeTarget& target) const {
   const auto& [triangle, weight] = target.in_matrix;
@@ -39,8 +72,22 @@ ProbeRow ProbeReader::matrix_row(const seepage::Model& model, const ProbeTarget&
   return row;
 }
 
+ProbeRow ProbeReader::dry_row(const seepage::Model& model, const ProbeTarget& target) const {
+  ProbeRow row{target.place, {model.reference_pressure()}};
+  const double specific_weight = model.fluid.density * model.gravity;
+  if (specific_weight > 0.0) {
+    row.values.push_back(row.values.front() / specific_weight + (target.place.y - head_datum_));
+  }
+  row.values.insert(row.values.end(), {0.0, 0.0, 0.0, 0.0});
+  return row;
+}
+
 ProbeRow ProbeReader::crack_row(const seepage::Model& model, const ProbeTarget& target) const {
-  const auto& [joint, fraction, distance] = target.in_crack;
+  const mesh::PlaceOnJoint* const place = open_place(model, target);
+  if (place == nullptr) {
+    return dry_row(model, target);
+  }
+  const auto& [joint, fraction, distance] = *place;
   const auto& ends = model.mesh.joint[at(joint)].vertex;
   const double pressure = between(model.state.crack_pressure, ends, fraction);
   ProbeRow row{target.place, {pressure}};

@@ -33,12 +33,18 @@ double apparent_share(const mechanics::Model& model) {
 
 /// Largest share of the length of the bonded joints that runs in the directions of one lattice of
 /// equilateral triangles: |mean of exp(6 i angle)|, near 0 for an irregular mesh, 1 for a lattice.
-double regularity(const mechanics::Model& model) {
+/// Joints of fractures, whose owners come after the `materials`, lie along them in any mesh. 0
+/// where few joints may break.
+double regularity(const mechanics::Model& model, Index materials) {
+  constexpr Index many = 300;
+  Index bonded = 0;
   double along = 0.0;
   double across = 0.0;
   double total = 0.0;
   for (Index j = 0; j < model.mesh.joints(); ++j) {
-    if (model.joints.state[at(j)] == JointState::bonded) {
+    if (model.joints.state[at(j)] == JointState::bonded &&
+        mechanics::owner_of(model, j) < materials) {
+      ++bonded;
       const double length = model.mesh.joint_length(j);
       const double angle = 6.0 * std::atan2(model.joints.ey[at(j)], model.joints.ex[at(j)]);
       along += length * std::cos(angle);
@@ -46,7 +52,7 @@ double regularity(const mechanics::Model& model) {
       total += length;
     }
   }
-  return total > 0.0 ? std::hypot(along, across) / total : 0.0;
+  return bonded > many ? std::hypot(along, across) / total : 0.0;
 }
 
 /// Curves inside the rock that no fracture table names.
@@ -111,8 +117,7 @@ std::vector<std::string> solid_warnings(const SolidRun& run) {
   const auto weak = start_strength_warnings(model, table_paths(run.setup));
   warnings.insert(warnings.end(), weak.begin(), weak.end());
   constexpr double regular = 0.4;
-  constexpr Index many = 300;
-  if (model.mesh.joints() > many && regularity(model) > regular) {
+  if (regularity(model, static_cast<Index>(run.setup.material.size())) > regular) {
     warnings.push_back(
         "the edges of the mesh run in few directions, as those of a lattice do: cracks "
         "can only follow them, and strength depends on how they lie to the load. An "

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -50,6 +51,16 @@ TEST(ReadingErrors, WhatConductsInAFractureIsNamed) {
               StartsWith("case.toml:24:1: error: fracture.fault.permeability: " + hint));
   EXPECT_THAT(error_with(fault + "hydraulic_conductivity = 1e-5\n"), HasSubstr(hint));
   EXPECT_THAT(error_with(fault + "viscosity = 1\n"), Not(HasSubstr("cubic")));
+}
+
+TEST(ReadingErrors, ToughnessIsToldFromTheEnergy) {
+  const std::string hint = "unknown option here; the toughness K_Ic follows from mode_1_energy G: "
+                           "K_Ic^2 = G E/(1 - nu^2) in plane strain; allowed: ";
+  for (const char* const name : {"fracture_toughness", "K_Ic", "toughness"}) {
+    const std::string key = fmt::format("material.rock.{}", name);
+    EXPECT_THAT(coupled_error({key + "=1e6"}),
+                StartsWith(fmt::format("--set: error: {}: {}", key, hint)));
+  }
 }
 
 TEST(ReadingErrors, WrongKindOfValue) {

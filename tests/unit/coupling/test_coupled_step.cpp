@@ -315,5 +315,24 @@ TEST(StepLimit, CountsTheFluidInThinCracks) {
   EXPECT_LT(coupled.energy_error(), 1e-2);
 }
 
+/// The notch is as thin as new cracks are, but not along the longest edges: what is foreseen for
+/// all of them is shorter than its limit, not by much, and goes with the root of the aperture.
+TEST(StepLimit, ForeseesThinNewCracks) {
+  CoupledOptions options = injected();
+  options.solid.joints = mechanics::JointState::bonded;
+  options.flow.fracture[0].initial_aperture = 1e-6;
+  Coupled coupled(test::notched(grid), options);
+  const double foreseen = coupled.limit().in_new_cracks(coupled.model());
+  const double now = coupled.limit().motion(coupled.model());
+  EXPECT_LT(foreseen, now);
+  EXPECT_GT(foreseen, 0.5 * now);
+  options.flow.fracture[0].initial_aperture = 4e-6;
+  Coupled wider(test::notched(grid), options);
+  EXPECT_NEAR(wider.limit().in_new_cracks(wider.model()), 2.0 * foreseen, 0.2 * foreseen);
+  options.solid.joints = mechanics::JointState::tied;
+  Coupled tied(test::notched(grid), options);
+  EXPECT_EQ(tied.limit().in_new_cracks(tied.model()), std::numeric_limits<double>::infinity());
+}
+
 }  // namespace
 }  // namespace percolith::coupling

@@ -99,10 +99,10 @@ TEST(ResultLines, TellWhatFluidDidInACoupledRun) {
           "at "
           "0.0041 s",
           "source.well: 0.002 m2 (m3 per metre of thickness) injected",
-          "cracks: 0.68 m broken, 0.62 m of it filled with fluid; 1.52e-06 m2 leaked into the "
+          "cracks: 0.68 m open to fluid, 0.62 m of it full; 1.52e-06 m2 leaked into the "
           "rock"}));
   coupled.mechanics.back().second = -2e-6;
-  EXPECT_EQ(result_lines(coupled).back(), "cracks: 0.68 m broken, 0.62 m of it filled with fluid; "
+  EXPECT_EQ(result_lines(coupled).back(), "cracks: 0.68 m open to fluid, 0.62 m of it full; "
                                           "2e-06 m2 came in from the rock");
   coupled.last.has_flow = false;
   EXPECT_EQ(result_lines(coupled).size(), 1u);

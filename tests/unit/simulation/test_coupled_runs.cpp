@@ -133,6 +133,47 @@ TEST(CoupledRuns, ABlockUnderInSituStressOnAllSidesIsHeldInPlace) {
   }
 }
 
+/// A probe along the way of a crack reads dry rock until the crack has come, and the crack then.
+TEST(CoupledRuns, ProbesFollowACrackThatGrows) {
+  simulation::Setup setup = pumped();
+  Material& rock = setup.material["sandstone"];
+  rock.joints = RockJoints::breakable;
+  rock.strength.tensile_strength = 1e6;
+  rock.strength.mode_1_energy = 10.0;
+  setup.new_cracks = NewCracks{setup.fracture["notch"].fracture};
+  setup.source["pump"].rate = Schedule::constant(5e-2);
+  Probe along;
+  along.from = {2.0 / 6.0 + 0.01, 0.5};
+  along.to = {0.99, 0.5};
+  along.points = 12;
+  along.in = Domain::crack;
+  setup.probe["along"] = along;
+  setup.output.interval = 1e-4;
+  setup.time.end = 2e-3;
+  test::SolidRecorder recorder;
+  const Summary summary = test::run(setup, notched_block(), recorder);
+  ASSERT_FALSE(recorder.events.empty());
+  EXPECT_TRUE(
+      std::any_of(summary.warnings.begin(), summary.warnings.end(), [](const std::string& warning) {
+        return warning.starts_with("probe.along: no crack is open at 5 of 12 points when the run "
+                                   "starts; they read dry");
+      }));
+  const ProbeSample& first = recorder.probes.front().front();
+  const ProbeSample& last = recorder.probes.back().front();
+  ASSERT_EQ(first.columns, (std::vector<std::string>{"pressure_Pa", "saturation", "aperture_m",
+                                                     "flux_x_m2_per_s", "flux_y_m2_per_s"}));
+  const auto wet = [](const ProbeSample& sample) {
+    return std::count_if(sample.rows.begin(), sample.rows.end(), [](const ProbeRow& row) {
+      EXPECT_EQ(row.values[1] > 0.0, row.values[2] > 0.0) << "saturation goes with an aperture";
+      return row.values[1] > 0.0;
+    });
+  };
+  EXPECT_EQ(first.rows.size(), 12u);
+  EXPECT_EQ(last.rows.size(), 12u);
+  EXPECT_EQ(wet(first), 7);
+  EXPECT_GT(wet(last), 7);
+}
+
 TEST(CoupledRuns, NothingRestsWhileAPumpRuns) {
   simulation::Setup setup = pumped();
   setup.time.stop_ratio = 5e-2;

@@ -136,6 +136,22 @@ TEST(SolidErrors, RegularMeshesAreWarnedOf) {
   EXPECT_FALSE(warns(Simulation(setup, lattice(0.4)).check(), text));
 }
 
+/// Where only the joints of a straight fracture may break, they say nothing of the mesh.
+TEST(SolidErrors, AFractureIsNoLattice) {
+  const test::Grid grid{.columns = 320, .rows = 2, .width = 32.0, .height = 0.2};
+  mesh::GmshMesh file = test::make_grid(grid);
+  test::add_row_curve(grid, file, "line", 1, 0, grid.columns);
+  simulation::Setup setup = test::solid_setup();
+  setup.material["sandstone"].joints = RockJoints::elastic;
+  FractureGroup& line = setup.fracture["line"];
+  line.groups = {"line"};
+  line.bond = Bond::cohesive;
+  line.strength = setup.material["sandstone"].strength;
+  EXPECT_FALSE(warns(Simulation(setup, file).check(), "run in few directions"));
+  setup.material["sandstone"].joints = RockJoints::breakable;
+  EXPECT_TRUE(warns(Simulation(setup, file).check(), "run in few directions"));
+}
+
 TEST(SolidErrors, AbsorbingBoundariesLimitTheStep) {
   simulation::Setup setup = test::solid_setup();
   setup.material["sandstone"].joints = RockJoints::elastic;
