@@ -49,25 +49,37 @@ void judge_boundaries(const Setup& setup, Doubts& doubts) {
   }
 }
 
+bool varies(const simulation::InSitu& s) {
+  return s.gradient_xx != 0.0 || s.gradient_yy != 0.0 || s.gradient_xy != 0.0;
+}
+
 /// Whether a fluid presses with about one of the stresses, or with what may be one at some depth.
 bool bears(const simulation::BoundaryCondition& condition, const simulation::InSitu& s) {
   constexpr double about = 0.1;
   const double pressure = condition.pressure.value_or(Schedule{}).at(0.0);
   const auto is_about = [&](double stress) {
-    return std::abs(pressure + stress) <= about * std::abs(stress);
+    return stress != 0.0 && std::abs(pressure + stress) <= about * std::abs(stress);
   };
-  return condition.pressurised && (is_about(s.stress_xx) || is_about(s.stress_yy) ||
-                                   s.gradient_xx != 0.0 || s.gradient_yy != 0.0);
+  return condition.pressurised &&
+         (is_about(s.stress_xx) || is_about(s.stress_yy) || (varies(s) && pressure != 0.0));
+}
+
+/// Whether there is stress in the plane.
+bool presses(const simulation::InSitu& s) {
+  return s.stress_xx != 0.0 || s.stress_yy != 0.0 || s.stress_xy != 0.0 || varies(s);
 }
 
 /// Whether something holds the edges of rock that is under stress, at least somewhere.
 bool is_held(const Setup& setup) {
-  return std::any_of(setup.boundary.begin(), setup.boundary.end(), [&](const auto& entry) {
-    const simulation::BoundaryCondition& c = entry.second;
-    return bears(c, *setup.in_situ) || c.in_situ || c.fixed || c.roller || c.absorbing ||
-           c.displacement_x || c.displacement_y || c.velocity_x || c.velocity_y || c.traction_x ||
-           c.traction_y || c.normal_pressure;
-  });
+  const bool has_platen = std::any_of(setup.body.begin(), setup.body.end(),
+                                      [](const auto& entry) { return entry.second.rigid; });
+  return has_platen ||
+         std::any_of(setup.boundary.begin(), setup.boundary.end(), [&](const auto& entry) {
+           const simulation::BoundaryCondition& c = entry.second;
+           return bears(c, *setup.in_situ) || c.in_situ || c.fixed || c.roller || c.absorbing ||
+                  c.displacement_x || c.displacement_y || c.velocity_x || c.velocity_y ||
+                  c.traction_x || c.traction_y || c.normal_pressure;
+         });
 }
 
 void judge_stress(const std::string& key, double stress, Doubts& doubts) {
@@ -96,7 +108,7 @@ void judge_in_situ(const Setup& setup, Doubts& doubts) {
   judge_stress("in_situ.stress_yy", setup.in_situ->stress_yy, doubts);
   judge_gradient("in_situ.gradient_xx", setup.in_situ->gradient_xx, doubts);
   judge_gradient("in_situ.gradient_yy", setup.in_situ->gradient_yy, doubts);
-  if (!is_held(setup)) {
+  if (presses(*setup.in_situ) && !is_held(setup)) {
     doubts.add("in_situ", "is held by no boundary: the rock springs apart when the run starts. A "
                           "boundary with in_situ = true carries these stresses on");
   }
@@ -108,13 +120,15 @@ double least_compression(const simulation::InSitu& s) {
   return -(mean + std::hypot(0.5 * (s.stress_xx - s.stress_yy), s.stress_xy));
 }
 
-/// Rock that in-situ stress presses together, and that fluid is to open.
+/// Rock that in-situ stress presses together, and that fluid is to open. What is the stress at the
+/// cracks is not known where it varies.
 void judge_entry(const Setup& setup, Doubts& doubts) {
   const std::string key = "model.fluid_enters";
   const bool is_pumped =
       !setup.source.empty() || std::any_of(setup.boundary.begin(), setup.boundary.end(),
                                            [](const auto& b) { return b.second.pressurised; });
-  if (doubts.given(key) || !setup.in_situ || !setup.new_cracks || !is_pumped) {
+  if (doubts.given(key) || !setup.in_situ || varies(*setup.in_situ) || !setup.new_cracks ||
+      !is_pumped) {
     return;
   }
   double strength_of_rock = Plausible::none;
@@ -127,7 +141,7 @@ void judge_entry(const Setup& setup, Doubts& doubts) {
   if (compression > 0.5 * strength_of_rock) {
     doubts.add(key,
                fmt::format("is not written, so fluid enters broken joints alone. Under an in-situ "
-                           "compression of {:g} Pa or more, against a tensile strength of {:g} Pa, "
+                           "compression of {:g} Pa, against a tensile strength of {:g} Pa, "
                            "the softening joints ahead of a crack then stay dry and are pressed "
                            "together: the rock resists more than its fracture energy says. "
                            "\"softening\" lets fluid into them; \"broken\" keeps them dry",

@@ -2,6 +2,7 @@
 #include "percolith/coupling/step_limit.hpp"
 
 #include "percolith/coupling/fluid_stiffness.hpp"
+#include "percolith/seepage/crack.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -118,9 +119,10 @@ double StepLimit::in_new_cracks(const CoupledModel& model) const {
     if (rock.joints.state[at(j)] != mechanics::JointState::bonded) {
       continue;
     }
-    // The node between two such joints of a straight crack has half the volume of either.
+    // A node in a straight crack has half the volume of the joint on either side.
     const double length = rock.mesh.joint_length(j);
-    const double aperture = water.fracture[at(model.options.group[at(j)])].initial_aperture;
+    const double aperture =
+        seepage::storage_aperture(water.fracture[at(model.options.group[at(j)])], 0.0);
     const double k =
         fluid_stiffness(length, 2.0 * length, water.fluid.bulk_modulus, length * aperture);
     for (const auto& side : rock.mesh.joint[at(j)].corner) {

@@ -17,8 +17,9 @@ public:
 
   /// Longest stable step of the motion with the cracks as they stand, s.
   [[nodiscard]] double motion(const CoupledModel& model);
-  /// The same where a crack runs along the edge of any triangle, s, as thin as the fracture tables
-  /// have it: what `motion` may come down to once rock breaks. Infinite without joints that may.
+  /// The same where a crack runs along the edge of any triangle, s, with faces that have not moved:
+  /// what `motion` comes down to where rock breaks, and falls below where cracks are pressed shut.
+  /// Infinite without joints that may break.
   [[nodiscard]] double in_new_cracks(const CoupledModel& model) const;
   /// Longest stable explicit step of the pores, s, whatever joints may break: storage over the sum
   /// of conductances of each single corner, exchange with cracks at both its edges included.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <utility>
 
 namespace percolith::mesh {
 namespace {
@@ -17,15 +16,6 @@ std::array<double, 3> weights_in(const std::array<Point, 3>& t, const Point& p) 
   const double area = cross(t[1] - t[0], t[2] - t[0]);
   return {cross(t[1] - p, t[2] - p) / area, cross(t[2] - p, t[0] - p) / area,
           cross(t[0] - p, t[1] - p) / area};
-}
-
-PlaceOnJoint project(const Mesh& mesh, Index joint, const Point& p) {
-  const auto& ends = mesh.joint[at(joint)].vertex;
-  const Point a = mesh.vertex[at(ends[0])];
-  const Point along = mesh.vertex[at(ends[1])] - a;
-  const double fraction = std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0);
-  const Point gap = p - (a + fraction * along);
-  return {joint, fraction, std::sqrt(dot(gap, gap))};
 }
 
 }  // namespace
@@ -91,33 +81,6 @@ std::optional<PlaceInTriangle> TriangleFinder::find(const Point& p) const {
     return PlaceInTriangle{t, weight};
   }
   return std::nullopt;
-}
-
-std::optional<PlaceOnJoint> nearest_joint(const Mesh& mesh, std::span<const Index> joints,
-                                          const Point& p) {
-  std::optional<PlaceOnJoint> best;
-  for (const Index j : joints) {
-    const PlaceOnJoint place = project(mesh, j, p);
-    if (!best || place.distance < best->distance) {
-      best = place;
-    }
-  }
-  return best;
-}
-
-std::vector<PlaceOnJoint> joints_near(const Mesh& mesh, std::span<const Index> joints,
-                                      const Point& p, double share) {
-  std::vector<PlaceOnJoint> near;
-  for (const Index j : joints) {
-    const PlaceOnJoint place = project(mesh, j, p);
-    if (place.distance <= share * mesh.joint_length(j)) {
-      near.push_back(place);
-    }
-  }
-  std::sort(near.begin(), near.end(), [](const PlaceOnJoint& a, const PlaceOnJoint& b) {
-    return std::pair(a.distance, a.joint) < std::pair(b.distance, b.joint);
-  });
-  return near;
 }
 
 }  // namespace percolith::mesh

@@ -32,20 +32,4 @@ private:
   IndexTable cells_;  // triangles whose bounding box touches the cell
 };
 
-/// A point projected onto a joint, `fraction` of the way from end 0 to end 1.
-struct PlaceOnJoint {
-  Index joint = 0;
-  double fraction = 0.0;
-  double distance = 0.0;  ///< m, from the point to its projection
-};
-
-/// The nearest of `joints` (the lowest number of several); absent without joints.
-[[nodiscard]] std::optional<PlaceOnJoint>
-nearest_joint(const Mesh& mesh, std::span<const Index> joints, const Point& p);
-
-/// Those of `joints` from which `p` is at most `share` of their length away, nearest first (the
-/// lowest number of several).
-[[nodiscard]] std::vector<PlaceOnJoint> joints_near(const Mesh& mesh, std::span<const Index> joints,
-                                                    const Point& p, double share);
-
 }  // namespace percolith::mesh

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/core/error.hpp"
+#include "percolith/mesh/joint_finder.hpp"
 #include "percolith/mesh/triangle_finder.hpp"
 #include "percolith/simulation/build_model.hpp"
 #include "percolith/simulation/condition_list.hpp"

@@ -328,9 +328,11 @@ CheckReport CoupledTask::check() const {
     // The stiffness of the fluid adds to all others.
     report.limits.back().step = limit_now_;
   }
-  const double later = run_.setup.time.safety * limit_.in_new_cracks(model_);
-  if (!is_slow_ && later < longest_step()) {
-    report.mechanics.emplace_back("step where cracks open as thin as they start (s)", later);
+  if (!is_slow_) {
+    const double later = run_.setup.time.safety * limit_.in_new_cracks(model_);
+    if (later < longest_step()) {
+      report.mechanics.emplace_back("step once new cracks are there, before they widen (s)", later);
+    }
   }
   return report;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/simulation/crack_starts.hpp"
 
+#include "percolith/mesh/joint_finder.hpp"
 #include "percolith/mesh/triangle_finder.hpp"
 #include "percolith/simulation/groups.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace percolith::simulation {
@@ -32,16 +33,21 @@ ProbePlaces locate_probes(const std::map<std::string, Probe>& probes, const mesh
   if (probes.empty()) {
     return places;
   }
+  constexpr double near_enough = 0.5;  // of the length of a joint
+  const bool are_in_cracks = std::any_of(probes.begin(), probes.end(), [](const auto& entry) {
+    return entry.second.in == Domain::crack;
+  });
   const mesh::TriangleFinder finder(mesh);
+  const mesh::JointFinder joints(mesh, are_in_cracks ? cracks : std::span<const mesh::Index>{},
+                                 near_enough);
   for (const auto& [name, probe] : probes) {
     LocatedProbe located{name, probe.in, {}};
     const std::vector<Point> points = points_of(probe);
     for (const Point& p : points) {
       if (probe.in == Domain::crack) {
-        constexpr double near = 0.5;  // of the length of a joint
-        std::vector<mesh::PlaceOnJoint> joints = joints_near(mesh, cracks, p, near);
-        if (!joints.empty()) {
-          located.targets.push_back({p, {}, std::move(joints)});
+        std::vector<mesh::PlaceOnJoint> near = joints.near(p);
+        if (!near.empty()) {
+          located.targets.push_back({p, {}, std::move(near)});
         }
       } else if (const auto place = finder.find(p)) {
         located.targets.push_back({p, *place, {}});
@@ -52,17 +58,20 @@ ProbePlaces locate_probes(const std::map<std::string, Probe>& probes, const mesh
       throw InputError({{},
                         fmt::format("probe.{}.{}", name, line ? "from" : "point"),
                         "",
-                        probe.in == Domain::crack ? "no open crack is near"
+                        probe.in == Domain::crack ? "no joint is near that is open or may open"
                         : line                    ? "the line lies outside of the rock"
                                                   : "the point lies outside of the rock",
-                        probe.in == Domain::crack ? "places on a fracture, within half an edge"
-                                                  : "places inside the mesh"});
+                        probe.in == Domain::crack
+                            ? "places within half an edge of a fracture or, in rock that breaks, "
+                              "of any joint"
+                            : "places inside the mesh"});
     }
     if (located.targets.size() < points.size()) {
-      places.warnings.push_back(fmt::format(
-          "probe.{}: {} of {} points lie {} and are left out", name,
-          points.size() - located.targets.size(), points.size(),
-          probe.in == Domain::crack ? "too far from any open crack" : "outside of the rock"));
+      places.warnings.push_back(
+          fmt::format("probe.{}: {} of {} points lie {} and are left out", name,
+                      points.size() - located.targets.size(), points.size(),
+                      probe.in == Domain::crack ? "too far from any joint that is open or may open"
+                                                : "outside of the rock"));
     }
     places.probes.push_back(std::move(located));
   }

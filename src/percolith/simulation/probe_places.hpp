@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "percolith/mesh/joint_finder.hpp"
 #include "percolith/mesh/triangle_finder.hpp"
 #include "percolith/simulation/setup.hpp"
 

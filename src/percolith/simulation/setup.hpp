@@ -215,7 +215,7 @@ struct Probe {
   std::optional<std::array<double, 2>> from;   ///< m: first point of a line
   std::optional<std::array<double, 2>> to;     ///< m: last point of a line
   int points = 101;                            ///< on the line
-  Domain in = Domain::matrix;                  ///< matrix, or crack: on the nearest fracture
+  Domain in = Domain::matrix;                  ///< matrix, or crack: on the nearest one
   friend bool operator==(const Probe&, const Probe&) = default;
 };
 

@@ -88,7 +88,11 @@ TEST(Plausibility, SignsAndUnitsOfInSituStressAreDoubted) {
             Warnings{"case.toml:10:13: warning: in_situ.stress_yy = -3 is -3 Pa, less than the 100 "
                      "Pa of 1 cm of water. Is that meant? A number without a unit is in Pa; -3 MPa "
                      "is written \"-3 MPa\""});
-  EXPECT_EQ(warnings_under("gradient_yy = -2e4\n").size(), 1u);
+  EXPECT_EQ(warnings_under("gradient_yy = -2e4\n"),
+            Warnings{"case.toml:10:15: warning: in_situ.gradient_yy = -20000 says that compression "
+                     "falls with depth. Is that meant? Elevation counts upwards and stresses are "
+                     "positive in tension: compression that grows with depth has a positive "
+                     "gradient"});
   EXPECT_TRUE(warnings_under("stress_yy = \"-3 MPa\"\ngradient_yy = 2e4\n").empty());
 }
 
@@ -107,17 +111,30 @@ TEST(Plausibility, InSituStressIsHeldAtSomeEdge) {
       warnings_with({{"gravity = 0\n", "gravity = 0\n[in_situ]\nstress_yy = \"-1.05 MPa\"\n"},
                      {"[boundary.base]\ngroups = [\"bottom\"]\nfixed = true\n", ""}});
   EXPECT_TRUE(borne.empty()) << "by the fluid of 1 MPa at the wall";
+  const auto free = [](const std::string& stresses, const std::string& pressure) {
+    return warnings_with({{"gravity = 0\n", "gravity = 0\n[in_situ]\n" + stresses},
+                          {"[boundary.base]\ngroups = [\"bottom\"]\nfixed = true\n", ""},
+                          {"\"1 MPa\"", pressure}})
+        .size();
+  };
+  EXPECT_EQ(free("stress_zz = -5e6\n", "1e6"), 0u) << "has no effect on the motion";
+  EXPECT_EQ(free("stress_yy = -5e6\n", "0"), 1u) << "a wall without pressure bears nothing";
+  EXPECT_EQ(free("gradient_yy = 2e4\n", "1e6"), 0u) << "borne at some depth";
+  EXPECT_EQ(free("gradient_yy = 2e4\n", "0"), 1u);
+  EXPECT_EQ(free("stress_yy = -5e6\n[body.platen]\nregions = [\"rock\"]\nrigid = true\n", "1e6"),
+            0u);
 }
 
 TEST(Plausibility, FluidThatIsKeptOutOfPressedJointsIsToldOf) {
   const std::string pressed = "stress_xx = \"-8 MPa\"\nstress_yy = \"-6 MPa\"\n";
   EXPECT_EQ(warnings_under(pressed),
             Warnings{"case.toml:6:2: warning: model.fluid_enters is not written, so fluid enters "
-                     "broken joints alone. Under an in-situ compression of 6e+06 Pa or more, "
-                     "against a tensile strength of 1e+07 Pa, the softening joints ahead of a "
+                     "broken joints alone. Under an in-situ compression of 6e+06 Pa, against "
+                     "a tensile strength of 1e+07 Pa, the softening joints ahead of a "
                      "crack then stay dry and are pressed together: the rock resists more than its "
                      "fracture energy says. \"softening\" lets fluid into them; \"broken\" keeps "
                      "them dry"});
+  EXPECT_TRUE(warnings_under(pressed + "gradient_yy = 2e4\n").empty()) << "not known at the cracks";
   EXPECT_TRUE(warnings_under(pressed, "fluid_enters = \"broken\"\n").empty());
   EXPECT_TRUE(warnings_under("stress_xx = \"-8 MPa\"\nstress_yy = \"-5 MPa\"\n").empty());
   EXPECT_FALSE(warnings_under(pressed + "stress_xy = \"0.9 MPa\"\n").empty());

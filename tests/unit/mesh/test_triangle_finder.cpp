@@ -77,39 +77,5 @@ TEST(TriangleFinder, FindsNothingOutside) {
   EXPECT_TRUE(finder.find({1.0, 1.0}));
 }
 
-TEST(NearestJoint, ProjectsOntoTheNearestOfTheGivenJoints) {
-  const Mesh mesh = build_mesh(test::make_grid({.columns = 4, .rows = 4}));
-  const std::vector<Index> joints{test::joint_between(mesh, {0.5, 0.25}, {0.5, 0.5}),
-                                  test::joint_between(mesh, {0.5, 0.5}, {0.5, 0.75})};
-  const auto place = nearest_joint(mesh, joints, {0.6, 0.55});
-  ASSERT_TRUE(place);
-  EXPECT_EQ(place->joint, joints[1]);
-  EXPECT_NEAR(place->distance, 0.1, 1e-14);
-  const auto& ends = mesh.joint[at(place->joint)].vertex;
-  const double y = (1.0 - place->fraction) * mesh.vertex[at(ends[0])].y +
-                   place->fraction * mesh.vertex[at(ends[1])].y;
-  EXPECT_NEAR(y, 0.55, 1e-14);
-  // Beyond an end the end itself is nearest.
-  const auto beyond = nearest_joint(mesh, joints, {0.5, 0.95});
-  EXPECT_NEAR(beyond->distance, 0.2, 1e-14);
-  EXPECT_TRUE(beyond->fraction == 0.0 || beyond->fraction == 1.0);
-  EXPECT_FALSE(nearest_joint(mesh, {}, {0.5, 0.5}));
-}
-
-TEST(JointsNear, AreThoseWithinAShareOfTheirLengthNearestFirst) {
-  const Mesh mesh = build_mesh(test::make_grid({.columns = 4, .rows = 4}));
-  const std::vector<Index> joints{test::joint_between(mesh, {0.5, 0.25}, {0.5, 0.5}),
-                                  test::joint_between(mesh, {0.5, 0.5}, {0.5, 0.75}),
-                                  test::joint_between(mesh, {0.75, 0.5}, {0.75, 0.75})};
-  const auto near = joints_near(mesh, joints, {0.6, 0.55}, 0.5);
-  ASSERT_EQ(near.size(), 2u);  // the third is 0.15 away, more than half its length of 0.25
-  EXPECT_EQ(near[0].joint, joints[1]);
-  EXPECT_NEAR(near[0].distance, 0.1, 1e-14);
-  EXPECT_EQ(near[1].joint, joints[0]);
-  EXPECT_NEAR(near[1].distance, std::hypot(0.1, 0.05), 1e-14);
-  EXPECT_EQ(joints_near(mesh, joints, {0.6, 0.55}, 0.7).size(), 3u);
-  EXPECT_TRUE(joints_near(mesh, joints, {0.5, 0.55}, -1.0).empty());
-}
-
 }  // namespace
 }  // namespace percolith::mesh

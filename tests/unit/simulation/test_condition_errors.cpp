@@ -248,8 +248,10 @@ TEST(ProbeErrors, ProbesLieInTheRockOrOnAFracture) {
   setup.probe["gauge"].to = {3.0, 2.0};
   expect_refused(setup, "probe.gauge.from", "the line lies outside of the rock");
   setup.probe["gauge"].in = Domain::crack;
-  expect_refused(setup, "probe.gauge.from",
-                 "no open crack is near; allowed: places on a fracture, within half an edge");
+  expect_refused(
+      setup, "probe.gauge.from",
+      "no joint is near that is open or may open; allowed: places within half an edge of "
+      "a fracture or, in rock that breaks, of any joint");
 }
 
 }  // namespace

@@ -174,6 +174,37 @@ TEST(CoupledRuns, ProbesFollowACrackThatGrows) {
   EXPECT_GT(wet(last), 7);
 }
 
+/// What a check foresees is the step that the run comes down to when thin cracks have opened.
+TEST(CoupledRuns, CheckForeseesTheStepOfThinCracks) {
+  simulation::Setup setup = pumped();
+  Material& rock = setup.material["sandstone"];
+  rock.joints = RockJoints::breakable;
+  rock.strength.tensile_strength = 1e6;
+  rock.strength.mode_1_energy = 1.0;
+  setup.new_cracks = NewCracks{setup.fracture["notch"].fracture};
+  setup.new_cracks->fracture.initial_aperture = 1e-5;
+  setup.new_cracks->fracture.minimum_aperture = 1e-6;
+  setup.source["pump"].rate = Schedule::constant(5e-2);
+  setup.output.history_interval = 1e-9;
+  setup.time.end = 1e-3;
+  const char* const name = "step once new cracks are there, before they widen (s)";
+  const double foreseen = value_of(Simulation(setup, notched_block()).check().mechanics, name);
+  test::SolidRecorder recorder;
+  (void)test::run(setup, notched_block(), recorder);
+  double shortest = setup.time.end;
+  for (const Progress& progress : recorder.progress) {
+    shortest = std::min(shortest, progress.step_size);
+  }
+  ASSERT_FALSE(recorder.events.empty());
+  EXPECT_GT(recorder.progress.front().step_size, 2.0 * foreseen);
+  EXPECT_LT(shortest, 1.5 * foreseen);
+  EXPECT_GT(shortest, 0.5 * foreseen);
+  setup.new_cracks->fracture.initial_aperture = 1e-2;
+  const auto wide = Simulation(setup, notched_block()).check().mechanics;
+  EXPECT_TRUE(
+      std::none_of(wide.begin(), wide.end(), [&](const auto& e) { return e.first == name; }));
+}
+
 TEST(CoupledRuns, NothingRestsWhileAPumpRuns) {
   simulation::Setup setup = pumped();
   setup.time.stop_ratio = 5e-2;
