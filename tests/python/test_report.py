@@ -195,6 +195,40 @@ def test_a_page_has_room_for_so_many_frames(coupled, coupled_page, without_pictu
     assert len(one.text) < len(few.text) < len(coupled_page.text)
 
 
+def beside_the_one_asked_for(view) -> int:
+    """Letters of arrays that the frame asked for does not have."""
+    own = set(view.about["frames"][view.about["asked"]]["arrays"].values())
+    return sum(len(packed.text) for key, packed in view.arrays.items() if key not in own)
+
+
+def test_frames_fill_the_room_of_a_page_and_no_more(tmp_path, monkeypatch):
+    run = RunDirectory(write_coupled_run(tmp_path / "run", frames=13))
+    whole = view_data(run, run.frame())
+    assert len(whole.about["frames"]) == 13
+    all_of_them = beside_the_one_asked_for(whole)
+    for share in (0.3, 0.6, 0.9):
+        room = int(share * all_of_them)
+        monkeypatch.setattr("percolith.reporting.view_data.LARGEST_SERIES", room)
+        view = view_data(run, run.frame())
+        assert 0.4 * room < beside_the_one_asked_for(view) <= room
+        assert len(view.about["frames"]) < 13
+
+
+@pytest.mark.parametrize("number", [0, 1, 3])
+def test_a_damaged_frame_is_not_needed_for_another(coupled, tmp_path, without_pictures, number):
+    path = shutil.copytree(coupled, tmp_path / "run")
+    file = path / f"fields/matrix_{number:06d}.vtu"
+    file.write_bytes(file.read_bytes()[:2000])
+    (path / "fields/cracks_000001.vtu").unlink()
+    page = page_at(percolith.report(path, time=3.3e-3))
+    moments = [frame["moment"] for frame in page.about["frames"]]
+    lost = {0: "0 s, 1.667 ms", 1: "1.667 ms", 3: "1.667 ms, 5 ms"}[number]
+    assert page.about["moment"] == "t = 3.333 ms"
+    assert f"Left out, as their files are damaged or missing: the frames of {lost}." in page.said
+    assert f"Of 4 frames of the run {len(moments)} are here" in page.said
+    assert len(moments) == 4 - len(lost.split(","))
+
+
 def test_joints_that_hold_are_drawn_shut(coupled):
     """They are springs and give a little, which large displacements would show as speckles."""
     run = RunDirectory(coupled)
