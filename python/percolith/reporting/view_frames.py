@@ -18,6 +18,8 @@ from percolith.rigid_bodies import rigid_triangles
 from percolith.run_directory import Frame, RunDirectory, carries_fluid
 from percolith.vtu import Grid
 
+FARTHEST_ROUNDED = 1000  # times the median displacement
+
 
 class NoRoom(Exception):
     """More letters than there is room for."""
@@ -119,13 +121,22 @@ class FrameArrays:
         count = np.maximum(np.bincount(joined), 1)
         moved = [(np.bincount(joined, along) / count)[joined[nodes.first]]
                  for along in displacement(frame.matrix).T]
-        self._add_values("displacement", np.stack(moved, axis=1))
+        self._add_displacement(np.stack(moved, axis=1))
         cracks, gaps = self.cracks, self._gaps
         if cracks is None or not len(cracks.cells):
             return
         self._add("gaps", pack(nodes.node[gaps.corners], "uint32"))
         if len(gaps.segment):
             self._add_hubs(joined, gaps.corners, carries_fluid(cracks)[gaps.segment])
+
+    def _add_displacement(self, moved: np.ndarray) -> None:
+        """Displacements (n, 2); unrounded where a piece has flown so far that steps of its way are
+        as large as the openings of cracks elsewhere."""
+        median = np.median(np.hypot(*moved.T)) if len(moved) else 0.0
+        if np.ptp(moved) > FARTHEST_ROUNDED * median:
+            self._add("displacement", pack(moved))
+        else:
+            self._add_values("displacement", moved)
 
     def _add_hubs(self, joined: np.ndarray, gaps: np.ndarray, is_wet: np.ndarray) -> None:
         """Three nodes of each triangle, and the end of a gap whose value it has, of one that holds
