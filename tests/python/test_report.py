@@ -16,7 +16,7 @@ from percolith.reporting.packed import STEPS, Packed, unpack
 from percolith.reporting.view_data import view_data
 from percolith.run_directory import RunDirectory
 from synthetic_coupled_run import OPENING, write_coupled_run
-from synthetic_run import add_bodies, write_mechanics_run
+from synthetic_run import add_bodies, write_excavated_run, write_mechanics_run
 
 _EMPTY = {"meta", "img", "input", "br", "link"}
 
@@ -193,6 +193,28 @@ def test_a_page_has_room_for_so_many_frames(coupled, coupled_page, without_pictu
     assert len(one.about["frames"]) == 1 and 'type="range"' not in one.text
     assert "This is one of 4 frames of the run" in one.said
     assert len(one.text) < len(few.text) < len(coupled_page.text)
+
+
+def test_the_view_of_an_excavation_has_a_mesh_for_each_time(tmp_path, monkeypatch):
+    run = RunDirectory(write_excavated_run(tmp_path / "run"))
+    view = view_data(run, run.frame())
+    shown, arrays = view.about["frames"], view.arrays
+    assert [frame["segments"] > 0 for frame in shown] == [False, False, False, True]
+    for frame, one in zip(run.frames(), shown):
+        held = {name: unpack(arrays[key]) for name, key in one["arrays"].items()}
+        places = held["places"].reshape(-1, 2)[held["node"]] + view.about["origin"]
+        assert places == pytest.approx(frame.matrix.points, abs=1e-6)
+        assert (held["cells"].reshape(-1, 3) == frame.matrix.cells).all()
+        assert len(held["rock-damage"]) == len(held["rock-region"]) == len(frame.matrix.cells)
+        assert len(held["displacement"]) == len(held["places"])
+        assert ("gaps" in held) == ("crack-mode" in held) == (one["segments"] > 0)
+    # The last frame is the smallest, and its size not that of the others.
+    own = set(shown[-1]["arrays"].values())
+    room = beside_the_one_asked_for(view) - 1
+    assert min(frame["arrays"]["cells"] not in own for frame in shown[:-1])
+    monkeypatch.setattr("percolith.reporting.view_data.LARGEST_SERIES", room)
+    fewer = view_data(run, run.frame())
+    assert len(fewer.about["frames"]) < 4 and beside_the_one_asked_for(fewer) <= room
 
 
 def beside_the_one_asked_for(view) -> int:
