@@ -169,7 +169,7 @@ def view_data(run: RunDirectory, frame: Frame, scale: float | None = None) -> Vi
         measured = min(most, beside * LARGEST_SERIES // letters) if letters else beside
         if letters > LARGEST_SERIES:
             beside, may_grow = min(beside - 1, measured), False
-        elif may_grow and len(frames) == 1 + beside and min(most, 2 * beside) <= measured > beside > 0:
+        elif may_grow and beside < measured >= min(most, 2 * beside) and not reader.damaged:
             beside, may_grow = measured, False
         else:
             break

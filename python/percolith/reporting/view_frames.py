@@ -115,7 +115,8 @@ class FrameArrays:
 
     def add_motion(self) -> None:
         """Displacements of the nodes, those that hang together at this time moving as one; the gaps
-        of the cracks, four nodes each, two on either face; what these leave open where they meet."""
+        of the cracks, four nodes each, two on either face; what these leave open where they
+        meet."""
         frame, nodes = self.frame, self.nodes
         joined = joined_points(frame.matrix, [] if frame.cracks is None else [frame.cracks])
         count = np.maximum(np.bincount(joined), 1)
