@@ -235,19 +235,22 @@ class RunDirectory(RunPictures):
         the columns of the history."""
         names: set[str] = set()
         if self.times:
-            matrix = self._first_sound_matrix()
+            matrix = self.sound_matrix(self.times)
             names |= matrix.point_data.keys() | matrix.cell_data.keys()
         if (self.path / "history.csv").is_file():
             names |= set(column_names(self.path / "history.csv"))
         return frozenset(names)
 
-    def _first_sound_matrix(self) -> Grid:
-        for time in self.times[:-1]:
+    def sound_matrix(self, times: Iterable[float]) -> Grid:
+        """The rock at the first of some times (s) of frames whose file is sound. Raises as
+        `read_vtu` where none is."""
+        problem: Exception | None = None
+        for time in times:
             try:
                 return read_vtu(self._matrix_files[time])
-            except (VtuError, FileError):
-                pass
-        return read_vtu(self._matrix_files[self.times[-1]])
+            except (VtuError, FileError) as error:
+                problem = problem or error
+        raise problem or RunDirectoryError(f"{self.path}: no frames")
 
     @property
     def has_flow(self) -> bool:
