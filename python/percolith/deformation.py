@@ -4,7 +4,9 @@ edges of its triangles lie on cracks, and what damage the cracks do them."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -30,12 +32,49 @@ def deformed_points(matrix: Grid, scale: float) -> np.ndarray:
     return matrix.points + scale * displacement(matrix) if can_deform(matrix) else matrix.points
 
 
+def pair_keys(pairs: np.ndarray, count: int) -> np.ndarray:
+    """A number for each pair of numbers below `count`, whatever their order."""
+    return pairs.min(axis=1).astype(np.int64) * count + pairs.max(axis=1)
+
+
+def place_numbers(points: np.ndarray) -> np.ndarray:
+    """Which place each of points (n, 2) is at, as numbers (n,)."""
+    # One complex number a place sorts much faster than pairs.
+    return np.unique(points @ [1.0, 1.0j], return_inverse=True)[1].ravel()
+
+
+class EdgeKeys(NamedTuple):
+    """Edges of triangles, and numbers that are the same for edges and crack segments between the
+    same two places."""
+
+    edges: np.ndarray  # indices (3 m, 2) of points, the first edges of all triangles first
+    key: np.ndarray  # (3 m,)
+    segments: list[np.ndarray]  # of each of the cracks (n,)
+    place: np.ndarray  # of each point, as of `place_numbers`
+
+
+def edge_keys(matrix: Grid, cracks: Sequence[Grid]) -> EdgeKeys:
+    """The edges of a matrix, to be told which of them lie on cracks."""
+    both = np.concatenate([matrix.points, *(grid.points for grid in cracks)])
+    place, first = place_numbers(both), len(matrix.points)
+    edges = np.concatenate([matrix.cells[:, pair] for pair in ([0, 1], [1, 2], [2, 0])])
+    segments = []
+    for grid in cracks:
+        segments.append(pair_keys(place[first + grid.cells], len(both)))
+        first += len(grid.points)
+    return EdgeKeys(edges, pair_keys(place[edges], len(both)), segments, place)
+
+
 class CrackFaces(NamedTuple):
     """Edges of triangles that lie on cracks."""
 
     points: np.ndarray  # indices (n, 2) of matrix points
     segment: np.ndarray  # crack segment (n,) that each belongs to
     triangle: np.ndarray  # (n,) that each is an edge of
+
+
+# Those of grids that are in use, by matrix and cracks: every field of damage asks for them anew.
+_known_faces: WeakKeyDictionary[Grid, WeakKeyDictionary[Grid, CrackFaces]] = WeakKeyDictionary()
 
 
 def crack_faces(frame: Frame) -> CrackFaces:
@@ -45,12 +84,14 @@ def crack_faces(frame: Frame) -> CrackFaces:
     if cracks is None or not len(cracks.cells):
         none = np.empty(0, int)
         return CrackFaces(np.empty((0, 2), int), none, none)
-    both = np.concatenate([matrix.points, cracks.points])
-    _, place = np.unique(both, axis=0, return_inverse=True)
-    place = place.ravel()
-    edges = np.concatenate([matrix.cells[:, pair] for pair in ([0, 1], [1, 2], [2, 0])])
-    edge_key = pair_keys(place[edges], len(both))
-    segment_key = pair_keys(place[len(matrix.points):][cracks.cells], len(both))
+    known = _known_faces.setdefault(matrix, WeakKeyDictionary())
+    if cracks not in known:
+        known[cracks] = _found_faces(matrix, cracks)
+    return known[cracks]
+
+
+def _found_faces(matrix: Grid, cracks: Grid) -> CrackFaces:
+    edges, edge_key, (segment_key,), _ = edge_keys(matrix, [cracks])
     chosen = np.flatnonzero(np.isin(edge_key, segment_key))
     order = np.argsort(segment_key, kind="stable")
     found = np.searchsorted(segment_key[order], edge_key[chosen])
@@ -91,8 +132,3 @@ def damage_since_the_start(frame: Frame) -> np.ndarray:
         of_cracks = np.where(data["mode"] == FROM_THE_START, 0.0, data["damage"])
         np.maximum.at(damage, faces.triangle, of_cracks[faces.segment])
     return damage
-
-
-def pair_keys(pairs: np.ndarray, count: int) -> np.ndarray:
-    """A number for each pair of numbers below `count`, whatever their order."""
-    return pairs.min(axis=1).astype(np.int64) * count + pairs.max(axis=1)

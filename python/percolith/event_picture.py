@@ -46,8 +46,9 @@ def _scatter(axes, events: Table, x: np.ndarray, y: np.ndarray, share: float = 1
 
 
 def _outline(run: RunDirectory) -> np.ndarray:
-    """Ends of the undeformed outline of the model, (n, 2, 2)."""
-    matrix = run.frame().matrix
+    """Ends of the undeformed outline of the model, (n, 2, 2), at the last time whose file is
+    sound: what an excavation has changed is no reason to go without a picture of events."""
+    matrix = run.sound_matrix(reversed(run.times)) if run.times else run.frame().matrix
     return matrix.points[outline_of(matrix).points]
 
 

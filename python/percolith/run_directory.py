@@ -22,7 +22,7 @@ import numpy as np
 
 from percolith.errors import Error, FileError
 from percolith.run_pictures import RunPictures
-from percolith.vtu import Grid, read_vtu
+from percolith.vtu import Grid, VtuError, read_vtu
 
 if TYPE_CHECKING:
     import pandas
@@ -231,15 +231,26 @@ class RunDirectory(RunPictures):
 
     @cached_property
     def quantities(self) -> frozenset[str]:
-        """Names of what there is: the arrays of the first frame of the rock and the columns of the
-        history."""
+        """Names of what there is: the arrays of the first frame of the rock whose file is sound and
+        the columns of the history."""
         names: set[str] = set()
         if self.times:
-            matrix = self.frame(self.times[0]).matrix
+            matrix = self.sound_matrix(self.times)
             names |= matrix.point_data.keys() | matrix.cell_data.keys()
         if (self.path / "history.csv").is_file():
             names |= set(column_names(self.path / "history.csv"))
         return frozenset(names)
+
+    def sound_matrix(self, times: Iterable[float]) -> Grid:
+        """The rock at the first of some times (s) of frames whose file is sound. Raises as
+        `read_vtu` where none is."""
+        problem: Exception | None = None
+        for time in times:
+            try:
+                return read_vtu(self._matrix_files[time])
+            except (VtuError, FileError) as error:
+                problem = problem or error
+        raise problem or RunDirectoryError(f"{self.path}: no frames")
 
     @property
     def has_flow(self) -> bool:

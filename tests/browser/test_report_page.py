@@ -205,6 +205,64 @@ def test_the_run_plays_to_its_end(browser, pages):
     assert browser.problems == []
 
 
+def test_keys_for_one_time_stop_the_playing_and_all_count(browser, pages):
+    opened(browser, pages["coupled"])
+    browser.evaluate("player.go(0)")
+    live = "document.getElementById('view-moment').getAttribute('aria-live')"
+    browser.evaluate("player.toggle()")
+    assert browser.evaluate(live) == "off"
+    browser.evaluate("""(() => {
+      for (const key of [".", ".", "."]) canvas.dispatchEvent(new KeyboardEvent("keydown", { key }));
+    })()""")
+    browser.wait_for(f"{MOMENT} === 't = 5 ms'")
+    assert browser.evaluate("player.timer") is None
+    assert browser.evaluate("document.getElementById('view-play').textContent") == "Play"
+    assert browser.evaluate(live) == "polite"
+
+
+def test_what_the_browser_kept_over_a_reload_holds(browser, pages):
+    browser.before_pages("""new MutationObserver(() => {
+      const box = document.getElementById("view-alone");
+      if (box) box.checked = true;
+    }).observe(document, { childList: true, subtree: true });""")
+    opened(browser, pages["coupled"])
+    browser.wait_for("player !== null")
+    assert browser.evaluate("document.getElementById('view-alone').checked")
+    assert browser.evaluate("state.alone")
+
+
+def test_a_time_that_cannot_be_unpacked_stops_the_playing(browser, pages):
+    opened(browser, pages["coupled"])
+    browser.evaluate("player.go(0)")
+    browser.evaluate("""(() => {
+      const key = about.frames[1].arrays.displacement;
+      document.getElementById("array-" + key).textContent = "AAAA";
+      player.toggle();
+    })()""")
+    browser.wait_for("!document.getElementById('view-note').hidden")
+    note = browser.evaluate("document.getElementById('view-note').textContent")
+    assert note.startswith("A part of the view cannot be shown: ")
+    assert browser.evaluate("document.getElementById('view-play').textContent") == "Play"
+    assert browser.evaluate(MOMENT) == "t = 0 ms" and browser.evaluate("wanted.frame") == 0
+    assert browser.problems == []
+
+
+def test_no_gap_is_drawn_between_pieces_that_have_flown_apart(browser, pages):
+    opened(browser, pages["coupled"])
+    widths = browser.evaluate("""(async () => {
+      const arrays = await model.load(state.frame), corners = [];
+      for (const far of [0, 100]) {
+        const displacement = arrays.displacement.slice();
+        displacement[2 * arrays.gaps[0]] += far;
+        const numbers = arrays.gaps.slice(0, 3);
+        model.leaveOutWide(numbers, arrays.gaps, { ...arrays, displacement });
+        corners.push(new Set(numbers).size);
+      }
+      return corners;
+    })()""")
+    assert widths == [3, 1]
+
+
 def test_an_open_crack_is_filled_and_outlined_on_both_faces(browser, pages):
     opened(browser, pages["coupled"])
     browser.evaluate("model.deform(2000); state.centre = [-0.9, 0]; state.zoom = 1000; redraw()")

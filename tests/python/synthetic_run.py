@@ -89,8 +89,10 @@ def _cracks(corners: np.ndarray, fragment: np.ndarray) -> tuple[np.ndarray, np.n
     return np.concatenate([ends, soft]), np.concatenate([mode, np.full(len(soft), -1)])
 
 
-def _write_frame(folder: Path, number: int, time: float, load: float, cracked: bool) -> None:
+def _write_frame(folder: Path, number: int, time: float, load: float, cracked: bool,
+                 highest: float = HEIGHT) -> None:
     corners = triangles()
+    corners = corners[corners.mean(axis=1)[:, 1] < highest]
     centre = corners.mean(axis=1)
     fragment = _fragments(centre) if cracked else np.zeros(len(corners), "<i4")
     slide = np.array([[0.0, 0.0], [-2.0, -2.4], [3.0, -1.0]])[fragment]
@@ -199,6 +201,19 @@ def write_mechanics_run(folder: Path, load: float = 1e-3, events: int = 150,
     _write_history(folder, load, end)
     _write_events(folder, events, end)
     _write_probe(folder, load, end)
+    return folder
+
+
+def write_excavated_run(folder: Path, frames: int = 4, end: float = 2e-3) -> Path:
+    """The block, from which a fifth of its height is dug out from above before each frame but the
+    first; only the last is cracked, below what is left."""
+    write_mechanics_run(folder, end=end)
+    times = dict(enumerate(np.linspace(0, end, frames).tolist()))
+    for number, time in times.items():
+        _write_frame(folder, number, time, 1e-3 * number / (frames - 1), number == frames - 1,
+                     highest=HEIGHT * (1 - 0.2 * number))
+    write_series(folder, "matrix", times)
+    write_series(folder, "cracks", {frames - 1: end})
     return folder
 
 

@@ -145,7 +145,7 @@ function followKeys() {
     ArrowLeft: () => shift(-far, 0), ArrowRight: () => shift(far, 0), ArrowUp: () => shift(0, far),
     ArrowDown: () => shift(0, -far), "+": () => zoomBy(1.3, ...middle()),
     "-": () => zoomBy(1 / 1.3, ...middle()), 0: showWhole, " ": () => player?.toggle(),
-    ",": () => player?.go(state.frame - 1), ".": () => player?.go(state.frame + 1),
+    ",": () => player?.step(-1), ".": () => player?.step(1),
   };
   canvas.addEventListener("keydown", (event) => {
     if (!(event.key in actions) || event.ctrlKey || event.altKey || event.metaKey) return;
@@ -156,8 +156,11 @@ function followKeys() {
 
 function followControls() {
   for (const kind of ["rock", "cracks"]) {
-    byId(`view-${kind}`)?.addEventListener("change", (event) => choose(kind, event.target.value));
+    byId(`view-${kind}`)?.addEventListener("change", (event) => {
+      choose(kind, event.target.value).catch(tellFailure);
+    });
   }
+  state.edges = byId("view-edges").checked;
   byId("view-edges").addEventListener("change", (event) => { state.edges = event.target.checked; redraw(); });
   byId("view-whole").addEventListener("click", showWhole);
   byId("view-scale")?.addEventListener("input", (event) => {
@@ -173,7 +176,8 @@ async function start() {
   if (!gl) throw Error("this browser shows no WebGL 2");
   model = new Model();
   model.dark = colourTable(gl, { colours: "ICAg/w==", names: ["outline"] });
-  model.factor = about.scale;
+  const factor = byId("view-scale")?.valueAsNumber;  // a browser may keep one over a reload
+  model.factor = factor >= 0 ? factor : about.scale;
   wanted.cracks = about.cracks.find((one) => one.name === byId("view-cracks")?.value) ?? null;
   await choose("rock", byId("view-rock").value);
   followPointers();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The model at one time of the run: rock and cracks, where they lie and what they are coloured by.
 const CORNERS = [0, 1, 2, 0, 2, 3];  // of the two triangles of a gap
+const WIDEST = 5;  // times its length, that a gap is drawn
 const END_OF_CORNER = [0, 1, 1, 0];  // of a segment, that a corner of its gap is at
 
 // The arrays of a frame by the names that `about` gives them, those that it has.
@@ -31,7 +32,7 @@ class Model {
     [this.places, this.displacement] = at(this.nodeOfCorner);
     this.rock.setPlaces(this.places, this.displacement);
     this.hubEnds = arrays["hub-ends"] ?? [];
-    if (arrays.gaps) this.placeGaps(arrays.gaps, arrays.hubs ?? [], at);
+    if (arrays.gaps) this.placeGaps(arrays, arrays.hubs ?? [], at);
     else this.placeLines(arrays.ends ?? new Float32Array(0));
   }
 
@@ -44,11 +45,13 @@ class Model {
 
   // A gap is two triangles between the faces of a crack, which are lines from end to end; where
   // gaps meet the space between them is closed by hubs.
-  placeGaps(gaps, hubs, at) {
+  placeGaps(arrays, hubs, at) {
+    const gaps = arrays.gaps;
     this.facesOfSegment = 2;
     const numbers = new Uint32Array(6 * this.segments + hubs.length);
     for (let i = 0; i < 6 * this.segments; ++i) numbers[i] = gaps[4 * Math.floor(i / 6) + CORNERS[i % 6]];
     numbers.set(hubs, 6 * this.segments);
+    this.leaveOutWide(numbers, gaps, arrays);
     this.gaps.setPlaces(...at(numbers));
     const faces = Uint32Array.from(gaps, (_, i) => gaps[4 * Math.floor(i / 4) + [0, 1, 3, 2][i % 4]]);
     const [place, displacement] = at(faces);
@@ -58,6 +61,21 @@ class Model {
       return 0.5 * (values[first] + values[first + 4]);
     });
     [this.line, this.lineDisplacement] = [middle(place), middle(displacement)];
+  }
+
+  // Between pieces that have flown apart there is no gap: triangles there would lie over the rock.
+  // They shrink to nothing. Each is as wide as its nodes have moved away from each other.
+  leaveOutWide(numbers, gaps, { places, displacement }) {
+    const apart = (values, a, b) => Math.hypot(values[2 * a] - values[2 * b],
+                                               values[2 * a + 1] - values[2 * b + 1]);
+    for (let i = 0; i < numbers.length; i += 3) {
+      const hub = i / 3 - 2 * this.segments, [a, b, c] = numbers.subarray(i, i + 3);
+      const segment = Math.floor(hub < 0 ? i / 6 : this.hubEnds[hub] / 2);
+      const length = apart(places, gaps[4 * segment], gaps[4 * segment + 1]);
+      const width = Math.max(apart(displacement, a, b), apart(displacement, b, c),
+                             apart(displacement, c, a));
+      if (width > WIDEST * length) numbers.fill(a, i, i + 3);
+    }
   }
 
   moved(place, displacement, factor) {

@@ -10,26 +10,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from percolith.deformation import pair_keys
+from percolith.deformation import edge_keys, place_numbers
 from percolith.vtu import Grid
-
-
-def _place_numbers(points: np.ndarray) -> np.ndarray:
-    """Which place each of points (n, 2) is at, as numbers (n,)."""
-    # One complex number a place sorts much faster than pairs.
-    return np.unique(points @ [1.0, 1.0j], return_inverse=True)[1].ravel()
 
 
 def _bonded_pairs(matrix: Grid, cracks: Sequence[Grid]) -> np.ndarray:
     """Pairs (n, 2) of points at one place whose triangles share an edge that is on no crack."""
-    both = np.concatenate([matrix.points, *(grid.points for grid in cracks)])
-    place, first = _place_numbers(both), len(matrix.points)
-    edges = np.concatenate([matrix.cells[:, pair] for pair in ([0, 1], [1, 2], [2, 0])])
-    key = pair_keys(place[edges], len(both))
-    broken = []
-    for grid in cracks:
-        broken.append(pair_keys(place[first + grid.cells], len(both)))
-        first += len(grid.points)
+    edges, key, broken, place = edge_keys(matrix, cracks)
     order = np.argsort(key, kind="stable")
     twin = np.flatnonzero(key[order][1:] == key[order][:-1])
     twin = twin[~np.isin(key[order[twin]], np.concatenate([np.empty(0, int), *broken]))]
@@ -79,7 +66,7 @@ def hubs(matrix: Grid, joined: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The space between three or more pieces of rock that meet in a corner of the mesh, which the
     gaps of the cracks there leave open: triangles (k, 3) of points, one of each piece, and of each
     triangle a point (k,) at the corner. `joined` is as of `joined_points`."""
-    place = _place_numbers(matrix.points)
+    place = place_numbers(matrix.points)
     piece, node = np.unique(joined, return_inverse=True)
     middle = matrix.points[matrix.cells].mean(axis=1)
     owner, corner = node[matrix.cells].ravel(), matrix.cells.ravel()

@@ -90,7 +90,7 @@ def page_of(run: RunDirectory, time: float | None = None, scale: float | None = 
     """The page of a run as HTML. `time` (s) chooses the frame that fields and view show, None the
     last one; `scale` multiplies the displacements, None chooses the factor. Raises
     RunDirectoryError where a file of a run that has ended is missing or damaged, VtuError where a
-    field file is damaged, FileError where one cannot be read."""
+    field file of that frame is damaged, FileError where one cannot be read."""
     resolved = run.resolved_text
     given = read_resolved(resolved)
     tables = [table for table in (_mesh(given), step_table(run, given)) if table]

@@ -8,6 +8,8 @@ class Player {
     this.slider.value = state.frame;  // a browser may keep what was chosen before a reload
     this.slider.addEventListener("input", () => { this.stop(); this.go(this.slider.valueAsNumber); });
     this.button.addEventListener("click", () => this.toggle());
+    state.alone = byId("view-alone").checked;
+    showBars();
     byId("view-alone").addEventListener("change", (event) => {
       state.alone = event.target.checked;
       showBars();
@@ -18,8 +20,21 @@ class Player {
 
   get last() { return about.frames.length - 1; }
 
-  go(number) {
-    return show({ frame: Math.min(this.last, Math.max(0, number)) });
+  async go(number) {
+    try {
+      await show({ frame: Math.min(this.last, Math.max(0, number)) });
+    } catch (error) {
+      this.stop();
+      wanted.frame = state.frame;
+      this.tell();
+      tellFailure(error);
+    }
+  }
+
+  // From the time that is on its way, so that keys pressed fast all count.
+  step(by) {
+    this.stop();
+    return this.go(wanted.frame + by);
   }
 
   tell() {
@@ -36,6 +51,7 @@ class Player {
 
   async play() {
     this.button.textContent = "Pause";
+    byId("view-moment").setAttribute("aria-live", "off");  // else each time is read out
     this.timer = 0;
     if (state.frame === this.last) await this.go(0);
     if (this.timer === 0) this.wait();
@@ -56,5 +72,6 @@ class Player {
     clearTimeout(this.timer);
     this.timer = null;
     this.button.textContent = "Play";
+    byId("view-moment").setAttribute("aria-live", "polite");
   }
 }

@@ -98,7 +98,8 @@ async function show(change) {
   const shapes = await model.load(frame);
   const names = [rock, cracks].flatMap((field) => (field ? [field.values] : []));
   const values = await arraysOf(frame, names);
-  arraysOf(frame, about.cracks.map((field) => field.values));  // for the values under the pointer
+  // For the values under the pointer, which go without those that cannot be unpacked.
+  arraysOf(frame, about.cracks.map((field) => field.values)).catch(() => {});
   if (mine !== turn) return;
   const segments = about.frames[frame].segments;
   if (frame !== state.frame) {
@@ -112,6 +113,12 @@ async function show(change) {
   player?.tell();
   if (pointed && !tip.hidden) showTip(pointed);
   redraw();
+}
+
+function tellFailure(error) {
+  const note = byId("view-note");
+  note.hidden = false;
+  note.textContent = `A part of the view cannot be shown: ${error.message}.`;
 }
 
 function choose(kind, name) {

@@ -8,10 +8,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from percolith.animation import default_field, thinned
+from percolith.animation import default_field
 from percolith.deformation import can_deform
 from percolith.exaggeration import automatic_scale
 from percolith.model_figure import moment
+from percolith.reporting.frame_reader import FrameReader
+from percolith.reporting.nodes import Nodes
 from percolith.reporting.packed import Packed
 from percolith.reporting.view_fields import (
     ViewField,
@@ -21,8 +23,15 @@ from percolith.reporting.view_fields import (
     rock_field,
     rock_fields,
 )
-from percolith.reporting.view_frames import FrameArrays, HeldArrays, nodes_over_time
+from percolith.reporting.view_frames import (
+    FrameArrays,
+    HeldArrays,
+    NoRoom,
+    has_mesh_of,
+    nodes_over_time,
+)
 from percolith.run_directory import Frame, RunDirectory
+from percolith.units import format_time
 from percolith.view import split
 
 MOST_FRAMES = 16
@@ -58,24 +67,35 @@ class _Series:
     scale: float
     origin: np.ndarray
 
-    def pack(self, number: int, nodes, held: HeldArrays, is_rounded: bool) -> dict:
-        """Packs the arrays of a frame into `held` and describes it."""
+    def _has_cracks(self, number: int) -> bool:
+        return bool(self.cracks) and has_cracks(self.shown[number])
+
+    def pack(self, number: int, nodes: Nodes, held: HeldArrays, is_rounded: bool,
+                    has_mesh: bool = True) -> FrameArrays:
+        """Packs the arrays of a frame into `held`; without its mesh those that may be others at
+        other times."""
         frame, shown = self.frames[number], self.shown[number]
-        arrays = FrameArrays(self.run, frame, nodes, held, is_rounded)
-        arrays.add_mesh(self.origin)
+        arrays = FrameArrays(self.run, frame, shown.cracks, nodes, held, is_rounded)
+        if has_mesh:
+            arrays.add_mesh(self.origin)
         if can_deform(frame.matrix):
-            arrays.add_motion(shown.cracks)
-        arrays.add_rock(self.rock)
-        cracked = bool(self.cracks) and has_cracks(shown)
-        segments = arrays.add_cracks(self.cracks, shown.cracks, self.origin) if cracked else 0
+            arrays.add_motion()
+        arrays.add_rock([one for one in self.rock if has_mesh or one.name != "region"])
+        if self._has_cracks(number):
+            arrays.add_cracks(self.cracks, self.origin)
+        return arrays
+
+    def about(self, number: int, arrays: FrameArrays) -> dict:
+        """What describes a frame."""
+        frame, shown = self.frames[number], self.shown[number]
+        cracked = self._has_cracks(number)
         alone = [("rock", one, rock_field) for one in self.rock]
         alone += [("crack", one, crack_field) for one in self.cracks if cracked]
         ranges = {f"{kind}-{one.name}": _range_alone(one, field_of(self.run, [shown], one.name,
                                                                    self.scale))
                   for kind, one, field_of in alone if not one.names}
-        return {"moment": moment(self.run, frame), "segments": segments, "arrays": arrays.keys,
-                "triangles": len(frame.matrix.cells),
-                "ranges": ranges}
+        return {"moment": moment(self.run, frame), "arrays": arrays.keys, "ranges": ranges,
+                "segments": len(arrays.segment) if cracked else 0}
 
 
 def _series(run: RunDirectory, frames: Sequence[Frame], asked: int,
@@ -102,40 +122,58 @@ def _first_of_cracks(run: RunDirectory, fields: Sequence[ViewField]) -> str:
     return "pressure" if run.has_flow or not fields else fields[0].name
 
 
-def _size_of_last(run: RunDirectory, scale: float | None) -> int:
-    """What a rounded frame takes of a page, at most, as what is in it grows with time."""
-    held, frames = HeldArrays(), [run.frame()]
-    series = _series(run, frames, 0, scale)
-    series.pack(0, nodes_over_time(frames)[0], held, True)
-    return held.letters
+def _size_of_another(run: RunDirectory, reader: FrameReader, scale: float | None) -> int:
+    """What a frame beside the one asked for adds to a page, about: the mean of the first and the
+    last, as cracks grow and rock is dug out. The mesh counts where it is not the same throughout.
+    More than LARGEST_SERIES where one of them alone has no room."""
+    ends = reader.ends()
+    is_same = all(has_mesh_of(end.matrix, reader.asked.matrix) for end in ends)
+    nodes, sizes = nodes_over_time(ends), []
+    for frame, of_frame in zip(ends, nodes):
+        held = HeldArrays(most=LARGEST_SERIES)
+        try:
+            _series(run, [frame], 0, scale).pack(0, of_frame, held, True, not is_same)
+        except NoRoom:
+            return LARGEST_SERIES + 1
+        sizes.append(held.letters)
+    return sum(sizes) // len(sizes)
 
 
-def chosen_times(run: RunDirectory, asked: float, scale: float | None) -> list[float]:
-    """The times (s) of the frames that a page has room for, evenly among all, the first and the
-    last included, and the frame asked for in place of the one next to it."""
-    if len(run.times) < 2:
-        return [asked]
-    room = LARGEST_SERIES // max(_size_of_last(run, scale), 1)
-    if not room:
-        return [asked]
-    times = thinned(run.times, min(MOST_FRAMES, 1 + room))
-    if asked not in times:
-        inner = times[1:-1] or times
-        nearest = min(inner, key=lambda time: abs(time - asked))
-        times[times.index(nearest)] = asked
-    return times
+def _pack_all(series: _Series, asked: int) -> tuple[list[FrameArrays], HeldArrays, int]:
+    """The arrays of the frames, and the letters of those that only frames beside the one asked for
+    have."""
+    nodes, held = nodes_over_time(series.frames), HeldArrays()
+    # The frame asked for comes first, so that its arrays have the plain names.
+    arrays = {asked: series.pack(asked, nodes[asked], held, False)}
+    own = held.letters
+    arrays |= {i: series.pack(i, of_frame, held, True)
+               for i, of_frame in enumerate(nodes) if i != asked}
+    return [arrays[i] for i in range(len(nodes))], held, held.letters - own
 
 
 def view_data(run: RunDirectory, frame: Frame, scale: float | None = None) -> ViewData:
-    """The view of a frame, and of others beside it as far as a page has room; `scale` multiplies
-    the displacements, None chooses it as `percolith plot` does."""
-    times = chosen_times(run, frame.time, scale)
-    asked = times.index(frame.time)
-    frames = [frame if time == frame.time else run.frame(time) for time in times]
-    series, nodes, held = _series(run, frames, asked, scale), nodes_over_time(frames), HeldArrays()
-    # The frame asked for comes first, so that its arrays have the plain names.
-    order = [asked, *(i for i in range(len(frames)) if i != asked)]
-    packed = {i: series.pack(i, nodes[i], held, i != asked) for i in order}
+    """The view of a frame, and of others beside it as far as a page has room and their files are
+    sound; `scale` multiplies the displacements, None chooses it as `percolith plot` does."""
+    reader, most = FrameReader(run, frame), min(MOST_FRAMES, len(run.times)) - 1
+    beside = 0
+    if most > 0:
+        size = max(_size_of_another(run, reader, scale), 1)
+        beside = min(most, LARGEST_SERIES // size)
+    may_grow = True
+    while True:
+        frames = reader.chosen(1 + beside)
+        asked = next(i for i, one in enumerate(frames) if one is frame)
+        series = _series(run, frames, asked, scale)
+        arrays, held, letters = _pack_all(series, asked)
+        # The ends of a run need not be like what is between them.
+        measured = min(most, beside * LARGEST_SERIES // letters) if letters else beside
+        if letters > LARGEST_SERIES:
+            beside, may_grow = min(beside - 1, measured), False
+        elif may_grow and beside < measured >= min(most, 2 * beside) and not reader.damaged:
+            beside, may_grow = measured, False
+        else:
+            break
+    packed = [series.about(i, one) for i, one in enumerate(arrays)]
     size = np.ptp(frame.matrix.points, axis=0)
     about = {"moment": moment(run, frame), "deforms": can_deform(frame.matrix),
              "scale": series.scale, "triangles": len(frame.matrix.cells),
@@ -144,6 +182,6 @@ def view_data(run: RunDirectory, frame: Frame, scale: float | None = None) -> Vi
              "rock": [_described(one, "rock") for one in series.rock],
              "cracks": [_described(one, "crack") for one in series.cracks],
              "firstOfCracks": _first_of_cracks(run, series.cracks),
-             "frames": [packed[i] for i in range(len(frames))], "asked": asked,
-             "allFrames": len(run.times)}
+             "frames": packed, "asked": asked, "allFrames": len(run.times),
+             "damaged": [format_time(time) for time in sorted(reader.damaged)]}
     return ViewData(about, held.arrays)

@@ -6,23 +6,31 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
-from percolith.crack_fields import carries_fluid
-from percolith.deformation import can_deform, crack_gaps, displacement
+from percolith.deformation import CrackGaps, can_deform, crack_gaps, displacement
 from percolith.reporting.nodes import Nodes, hubs, joined_points, nodes_of
 from percolith.reporting.packed import Packed, pack, pack_rounded
 from percolith.reporting.view_fields import ViewField, crack_values, rock_values
 from percolith.rigid_bodies import rigid_triangles
-from percolith.run_directory import Frame, RunDirectory
+from percolith.run_directory import Frame, RunDirectory, carries_fluid
 from percolith.vtu import Grid
+
+FARTHEST_ROUNDED = 1000  # times the median displacement
+
+
+class NoRoom(Exception):
+    """More letters than there is room for."""
 
 
 @dataclass
 class HeldArrays:
-    """Arrays by their keys; of two of one name that are the same one is held."""
+    """Arrays by their keys; of two of one name that are the same one is held. `add` raises NoRoom
+    where they take more than `most` letters."""
 
+    most: float = float("inf")
     arrays: dict[str, Packed] = field(default_factory=dict)
     _keys: dict[tuple[str, Packed], str] = field(default_factory=dict)
 
@@ -32,6 +40,8 @@ class HeldArrays:
             number = sum(known == name for known, _ in self._keys)
             key = f"{name}@{number}" if number else name
             self._keys[name, packed], self.arrays[key] = key, packed
+            if self.letters > self.most:
+                raise NoRoom
         return self._keys[name, packed]
 
     @property
@@ -40,7 +50,7 @@ class HeldArrays:
         return sum(len(packed.text) for packed in self.arrays.values())
 
 
-def _has_mesh_of(one: Grid, other: Grid) -> bool:
+def has_mesh_of(one: Grid, other: Grid) -> bool:
     return np.array_equal(one.cells, other.cells) and np.array_equal(one.points, other.points)
 
 
@@ -49,7 +59,7 @@ def nodes_over_time(frames: Sequence[Frame]) -> list[Nodes]:
     once. Only an excavation changes the mesh."""
     found: list[Nodes] = []
     for frame in frames:
-        same = [_has_mesh_of(frame.matrix, other.matrix) for other in frames]
+        same = [has_mesh_of(frame.matrix, other.matrix) for other in frames]
         before = same.index(True)
         found.append(found[before] if before < len(found) else nodes_of(
             frame.matrix, [other.cracks for other, is_same in zip(frames, same)
@@ -72,11 +82,23 @@ def _without_bodies(run: RunDirectory, frame: Frame, values: np.ndarray,
 class FrameArrays:
     """Packs the arrays of one frame into `held`; `keys` tells which they are by their names."""
 
-    def __init__(self, run: RunDirectory, frame: Frame, nodes: Nodes, held: HeldArrays,
-                 is_rounded: bool):
-        self.run, self.frame, self.nodes, self.held = run, frame, nodes, held
-        self.is_rounded = is_rounded
+    def __init__(self, run: RunDirectory, frame: Frame, cracks: Grid | None, nodes: Nodes,
+                 held: HeldArrays, is_rounded: bool):
+        """`cracks` are those of the frame that are shown."""
+        self.run, self.frame, self.cracks, self.nodes = run, frame, cracks, nodes
+        self.held, self.is_rounded = held, is_rounded
         self.keys: dict[str, str] = {}
+
+    @cached_property
+    def _gaps(self) -> CrackGaps:
+        return crack_gaps(Frame(self.frame.time, self.frame.matrix, self.cracks))
+
+    @property
+    def segment(self) -> np.ndarray:
+        """The segments of the cracks whose values are packed, in that order."""
+        if can_deform(self.frame.matrix):
+            return self._gaps.segment
+        return np.arange(0 if self.cracks is None else len(self.cracks.cells))
 
     def _add(self, name: str, packed: Packed) -> None:
         self.keys[name] = self.held.add(name, packed)
@@ -91,21 +113,31 @@ class FrameArrays:
         self._add("node", pack(nodes.node, "uint32"))
         self._add("cells", pack(matrix.cells, "uint32"))
 
-    def add_motion(self, cracks: Grid | None) -> None:
+    def add_motion(self) -> None:
         """Displacements of the nodes, those that hang together at this time moving as one; the gaps
-        of `cracks`, four nodes each, two on either face; what these leave open where they meet."""
+        of the cracks, four nodes each, two on either face; what these leave open where they
+        meet."""
         frame, nodes = self.frame, self.nodes
         joined = joined_points(frame.matrix, [] if frame.cracks is None else [frame.cracks])
         count = np.maximum(np.bincount(joined), 1)
         moved = [(np.bincount(joined, along) / count)[joined[nodes.first]]
                  for along in displacement(frame.matrix).T]
-        self._add_values("displacement", np.stack(moved, axis=1))
+        self._add_displacement(np.stack(moved, axis=1))
+        cracks, gaps = self.cracks, self._gaps
         if cracks is None or not len(cracks.cells):
             return
-        gaps = crack_gaps(Frame(frame.time, frame.matrix, cracks))
         self._add("gaps", pack(nodes.node[gaps.corners], "uint32"))
         if len(gaps.segment):
             self._add_hubs(joined, gaps.corners, carries_fluid(cracks)[gaps.segment])
+
+    def _add_displacement(self, moved: np.ndarray) -> None:
+        """Displacements (n, 2); unrounded where a piece has flown so far that steps of its way are
+        as large as the openings of cracks elsewhere."""
+        median = np.median(np.hypot(*moved.T)) if len(moved) else 0.0
+        if np.ptp(moved) > FARTHEST_ROUNDED * median:
+            self._add("displacement", pack(moved))
+        else:
+            self._add_values("displacement", moved)
 
     def _add_hubs(self, joined: np.ndarray, gaps: np.ndarray, is_wet: np.ndarray) -> None:
         """Three nodes of each triangle, and the end of a gap whose value it has, of one that holds
@@ -140,13 +172,10 @@ class FrameArrays:
                 values = nodes.means(values)
         self._add_values(f"rock-{one.name}", values)
 
-    def add_cracks(self, fields: Sequence[ViewField], cracks: Grid, origin: np.ndarray) -> int:
-        """Values of `cracks`, and of rock at rest where they are. Returns how many segments they
-        have."""
-        segment = np.arange(len(cracks.cells))
-        if can_deform(self.frame.matrix):
-            segment = crack_gaps(Frame(self.frame.time, self.frame.matrix, cracks)).segment
-        else:
+    def add_cracks(self, fields: Sequence[ViewField], origin: np.ndarray) -> None:
+        """Values of the cracks, and of rock at rest where they are."""
+        cracks, segment = self.cracks, self.segment
+        if not can_deform(self.frame.matrix):
             self._add("ends", pack(cracks.points[cracks.cells] - origin))
         for one in fields:
             values = crack_values(cracks, one.name)[segment]
@@ -154,4 +183,3 @@ class FrameArrays:
                 self._add(f"crack-{one.name}", pack(values))
             else:
                 self._add_values(f"crack-{one.name}", values)
-        return len(segment)
