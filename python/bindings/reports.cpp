@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/simulation/report.hpp"
 
+#include <fmt/format.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
@@ -58,7 +59,16 @@ void bind_reports(nb::module_& module) {
               docs::CheckReport_fracture_length_by_group)
       .def_ro("limits", &CheckReport::limits, docs::CheckReport_limits)
       .def_ro("mechanics", &CheckReport::mechanics, docs::CheckReport_mechanics)
-      .def_ro("warnings", &CheckReport::warnings, "Warnings about the model.");
+      .def_ro("warnings", &CheckReport::warnings, "Warnings about the model.")
+      .def("__repr__", [](const CheckReport& report) {
+        const std::string limit =
+            report.limits.empty()
+                ? "no limit of the time step"
+                : fmt::format("explicit steps below {:.4g} s", report.limits.back().step);
+        return fmt::format(
+            "CheckReport({} triangles, {} joints, {} of them broken; {}; {} warnings)",
+            report.triangles, report.joints, report.broken_joints, limit, report.warnings.size());
+      });
 }
 
 }  // namespace percolith::python

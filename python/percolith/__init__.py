@@ -6,6 +6,7 @@ use.
 """
 
 import importlib
+import importlib.util
 from typing import TYPE_CHECKING
 
 from percolith.errors import (
@@ -65,8 +66,9 @@ def _extension(module: str):
     require_processor()
     try:
         return importlib.import_module(f"percolith.{module}")
-    except ModuleNotFoundError as error:
-        if error.name != "percolith._core":
+    except ImportError as error:
+        # `from percolith import _core` blames the package in place of its missing part.
+        if importlib.util.find_spec("percolith._core") is not None:
             raise
         raise ImportError("percolith was not built to run cases from Python: install it with "
                           "`pip install .` in its sources; reading and drawing results works "

@@ -180,9 +180,12 @@ class Case(Options):
             warnings.warn(in_python(warning), CaseWarning, stacklevel=2)
 
     def check(self) -> _core.CheckReport:
-        """Builds the model and tells its counts, mesh quality and limits of the time step.
-        Raises CaseError and FileError."""
-        return start_run(self.source).check()
+        """Builds the model and tells its counts, mesh quality and limits of the time step, and
+        warns of what may be wrong with it. Raises CaseError and FileError."""
+        report = start_run(self.source).check()
+        for warning in report.warnings:
+            warnings.warn(in_python(f"warning: {warning}"), CaseWarning, stacklevel=2)
+        return report
 
     def to_toml(self) -> str:
         """The options as the text of a case file, without comments."""

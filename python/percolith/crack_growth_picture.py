@@ -73,8 +73,9 @@ def crack_growth_figure(run: RunDirectory):
     figure, all_axes = panels_of(run, len(panels), 3.3)
     for axes, (curves, scale, quantity) in zip(all_axes, panels):
         draw_curves(axes, history, time, curves, scale, quantity)
-        if not (_finite(history, curves) < 0.0).any():
-            axes.set_ylim(bottom=0.0)
+        values = _finite(history, curves) / scale.factor
+        if not (values < 0.0).any():
+            axes.set_ylim(0.0, 1.05 * values.max())
         axes.set_xlabel(time.label("Time"))
         axes.grid(alpha=0.3)
     return figure

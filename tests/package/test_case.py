@@ -141,6 +141,14 @@ def test_check_tells_what_the_model_is(strip):
     assert report.limits[0].step > 0
 
 
+def test_check_warns_of_the_model(program):
+    case = percolith.Case.load(ROOT / "examples/three_cracks/case.toml")
+    with pytest.warns(percolith.CaseWarning, match="do not resolve the cohesive length") as told:
+        report = case.check()
+    assert [f"warning: {text}" for text in report.warnings] == [str(one.message) for one in told]
+    assert repr(report).startswith("CheckReport(15202 triangles, 22651 joints, 12 of them broken; ")
+
+
 def test_options_are_described_from_their_declarations():
     option = percolith.describe("material.granite.young_modulus")
     assert option.path == "material.*.young_modulus" and option.unit == "Pa"

@@ -367,3 +367,23 @@ def test_a_shape_refuses_options_that_there_are_not(tmp_path):
         mesh.rectangle(tmp_path / "m.msh", 1, 1, size=0.2, growht=0.1)
     with pytest.raises(TypeError, match="size"):
         mesh.rectangle(tmp_path / "m.msh", 1, 1)
+
+
+def test_wrong_arguments_name_the_shape_that_was_asked_for(tmp_path):
+    file = tmp_path / "block.msh"
+    with pytest.raises(TypeError, match=r"^borehole\(\) takes no 'centre'; it takes: path, width, "):
+        mesh.borehole(file, 10, 10, 1, size=1, centre=(1, 1))
+    with pytest.raises(percolith.MeshError, match="^size = '1 m': not a positive length in m$"):
+        mesh.borehole(file, 10, 10, 1, size="1 m")
+    with pytest.raises(percolith.MeshError, match=r"^fractures\[1\] is a list; allowed: "):
+        mesh.rectangle(file, 10, 10, size=1,
+                       fractures=[mesh.Fracture([[2, 2], [5, 5]]), [[0, 0], [1, 1]]])
+    assert not file.exists()
+
+
+def test_a_fracture_that_is_left_out_is_told_once(tmp_path):
+    made = mesh.rectangle(tmp_path / "block.msh", 10, 10, size=1, fractures=[
+        mesh.Fracture([[20, 0], [21, 1]]), mesh.Fracture([[2, 2], [5, 5]])])
+    assert made.left_out == (0,)
+    assert made.report().count("left out at") == 0
+    assert made.report().count("left out as a whole") == 1

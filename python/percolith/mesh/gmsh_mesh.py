@@ -63,7 +63,10 @@ class MadeMesh:
             made = (f"asked {self.asked_length:.4g} m, meshed {self.meshed_length:.4g} m, "
                     f"{len(self.left_out)} of {self.asked_count} fractures left out; {made}")
         lost = [f"group {name}: none of its fractures is left" for name in self.lost_groups]
-        return "\n".join([made, *lost, *map(str, self.changes)])
+        # Of what is gone as a whole its parts are no news.
+        told = [change for change in self.changes
+                if change.kind != "left out" or not set(change.fractures) <= set(self.left_out)]
+        return "\n".join([made, *lost, *map(str, told)])
 
 
 @contextmanager

@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
+import functools
 import inspect
 import os
 import textwrap
 from collections.abc import Callable, Sequence
-from typing import TypedDict, TypeVar, get_args, get_type_hints
+from typing import Any, TypedDict, TypeVar, get_args, get_type_hints
 
 from percolith.errors import MeshError
 from percolith.mesh.arrangement import arrange
@@ -16,6 +17,8 @@ from percolith.mesh.gmsh_mesh import MadeMesh, Sizes, make_mesh
 from percolith.mesh.outline import Outline, require_positive
 
 _Shape = TypeVar("_Shape", bound=Callable[..., MadeMesh])
+# Those that are compared before they are checked.
+_LENGTHS = {"size", "size_at_fractures", "size_at_fine_sides", "size_at_hole", "size_at_wall"}
 _WIDTH = 96  # letters on a line of a docstring
 
 
@@ -63,13 +66,24 @@ def with_options(shape: _Shape) -> _Shape:
         (taken,) = get_args(get_type_hints(shape)["meshing"])
         of_outlines = inspect.signature(outline_mesh).parameters
         own |= {name: of_outlines[name] for name in of_outlines if name in taken.__annotations__}
-        shape.__signature__ = signature.replace(parameters=list(own.values()))
     items = [textwrap.fill(f"- {name}: {meaning}", _WIDTH, subsequent_indent="  ")
              for name, meaning in _MEANINGS.items() if name in own]
     shape.__doc__ = "\n\n".join([
         inspect.cleandoc(shape.__doc__ or ""), "Options of meshing:", "\n".join(items),
         "Returns a `MadeMesh`. Raises MeshError and FileError."])
-    return shape
+
+    @functools.wraps(shape)
+    def asked(*arguments: Any, **options: Any) -> MadeMesh:
+        if unknown := options.keys() - own.keys():
+            raise TypeError(f"{shape.__name__}() takes no {min(unknown)!r}; it takes: "
+                            f"{', '.join(own)}")
+        require_positive(**{name: options[name] for name in options.keys() & _LENGTHS
+                            if options[name] is not None})
+        return shape(*arguments, **options)
+
+    asked.__signature__ = signature.replace(parameters=[
+        parameter for parameter in own.values() if parameter.name != "meshing"])
+    return asked
 
 
 @with_options
@@ -98,6 +112,10 @@ def outline_mesh(path: str | os.PathLike, outline: Outline, *, size: float,
         raise MeshError(f"fine_sides: no side {', '.join(sorted(unknown))}; there are: "
                         f"{', '.join(sorted(names))}")
     own = {} if tolerance is not None else dict.fromkeys(fine_sides, 0.5 * min(fine, near))
+    for number, fracture in enumerate(fractures):
+        if not isinstance(fracture, Fracture):
+            raise MeshError(f"fractures[{number}] is a {type(fracture).__name__}; allowed: "
+                            "percolith.mesh.Fracture(points)")
     lines = arrange(outline, fractures, gap, smallest_angle_deg, own)
     return make_mesh(path, outline, fractures, lines,
                      Sizes(size, near, fine, growth, tuple(fine_sides), irregular))

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -71,7 +72,7 @@ class _Series:
         return bool(self.cracks) and has_cracks(self.shown[number])
 
     def pack(self, number: int, nodes: Nodes, held: HeldArrays, is_rounded: bool,
-                    has_mesh: bool = True) -> FrameArrays:
+             has_mesh: bool = True) -> FrameArrays:
         """Packs the arrays of a frame into `held`; without its mesh those that may be others at
         other times."""
         frame, shown = self.frames[number], self.shown[number]
@@ -151,18 +152,25 @@ def _pack_all(series: _Series, asked: int) -> tuple[list[FrameArrays], HeldArray
     return [arrays[i] for i in range(len(nodes))], held, held.letters - own
 
 
-def view_data(run: RunDirectory, frame: Frame, scale: float | None = None) -> ViewData:
-    """The view of a frame, and of others beside it as far as a page has room and their files are
-    sound; `scale` multiplies the displacements, None chooses it as `percolith plot` does."""
-    reader, most = FrameReader(run, frame), min(MOST_FRAMES, len(run.times)) - 1
+class _Filled(NamedTuple):
+    """Frames that a page has room for, and their arrays."""
+
+    series: _Series
+    asked: int
+    arrays: list[FrameArrays]
+    held: HeldArrays
+
+
+def _filled(run: RunDirectory, reader: FrameReader, scale: float | None) -> _Filled:
+    """Packs as many frames as a page has room for."""
+    most = min(MOST_FRAMES, len(run.times)) - 1
     beside = 0
     if most > 0:
-        size = max(_size_of_another(run, reader, scale), 1)
-        beside = min(most, LARGEST_SERIES // size)
+        beside = min(most, LARGEST_SERIES // max(_size_of_another(run, reader, scale), 1))
     may_grow = True
     while True:
         frames = reader.chosen(1 + beside)
-        asked = next(i for i, one in enumerate(frames) if one is frame)
+        asked = next(i for i, one in enumerate(frames) if one is reader.asked)
         series = _series(run, frames, asked, scale)
         arrays, held, letters = _pack_all(series, asked)
         # The ends of a run need not be like what is between them.
@@ -172,7 +180,14 @@ def view_data(run: RunDirectory, frame: Frame, scale: float | None = None) -> Vi
         elif may_grow and beside < measured >= min(most, 2 * beside) and not reader.damaged:
             beside, may_grow = measured, False
         else:
-            break
+            return _Filled(series, asked, arrays, held)
+
+
+def view_data(run: RunDirectory, frame: Frame, scale: float | None = None) -> ViewData:
+    """The view of a frame, and of others beside it as far as a page has room and their files are
+    sound; `scale` multiplies the displacements, None chooses it as `percolith plot` does."""
+    reader = FrameReader(run, frame)
+    series, asked, arrays, held = _filled(run, reader, scale)
     packed = [series.about(i, one) for i, one in enumerate(arrays)]
     size = np.ptp(frame.matrix.points, axis=0)
     about = {"moment": moment(run, frame), "deforms": can_deform(frame.matrix),

@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace percolith::case_file {
 
@@ -33,6 +35,8 @@ const Plausible angle{"rad",
                       2.0 * std::numbers::pi,
                       {{"deg", std::numbers::pi / 180.0}}};
 const Plausible energy{"J/m2", -none, 1e5, "more than the 1e5 J/m2 of the toughest rock", none, {}};
+const Plausible rate{
+    "m2/s", -1.0, 1.0, "more than the 1 m2/s of the largest pumps", 100.0, {{"l/s/m", 1e-3}}};
 const Plausible aperture{
     "m", -none, 0.02, "more than the 20 mm of a wide fissure", 0.01, {{"mm", 1e-3}, {"um", 1e-6}}};
 
@@ -93,6 +97,29 @@ void judge_apertures(const Setup& setup, Doubts& doubts) {
   }
 }
 
+void judge_rates(const Setup& setup, Doubts& doubts) {
+  for (const auto& [name, source] : setup.source) {
+    const Schedule given = source.rate.value_or(Schedule{});
+    doubts.judge("source." + name + ".rate",
+                 *std::max_element(given.value.begin(), given.value.end(),
+                                   [](double a, double b) { return std::abs(a) < std::abs(b); }),
+                 rate);
+  }
+}
+
+/// What would be written at times that the run does not reach.
+void judge_output(const Setup& setup, Doubts& doubts) {
+  const auto judge = [&](const std::string& key, const std::optional<double>& interval) {
+    if (interval && setup.time.scheme != simulation::Scheme::steady && *interval > setup.time.end) {
+      doubts.add(key, fmt::format("is longer than the run, which ends at time.end = {:g} s: only "
+                                  "its first and its last state are written",
+                                  setup.time.end));
+    }
+  };
+  judge("output.interval", setup.output.interval);
+  judge("output.history_interval", setup.output.history_interval);
+}
+
 }  // namespace
 
 std::vector<std::string> plausibility_warnings(const Setup& setup, const KeyLocations& locations) {
@@ -119,10 +146,12 @@ std::vector<std::string> plausibility_warnings(const Setup& setup, const KeyLoca
   }
   if (has_flow(physics) && setup.fluid.viscosity != 1.0) {
     judge_apertures(setup, doubts);
+    judge_rates(setup, doubts);
   }
   if (has_motion(physics)) {
     judge_loads(setup, doubts);
   }
+  judge_output(setup, doubts);
   return doubts.take();
 }
 

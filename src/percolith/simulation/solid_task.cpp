@@ -100,6 +100,14 @@ SolidTask::SolidTask(const Setup& setup, SolidRun run)
     : run_(std::move(run)), clock_(setup.output, setup.time.end),
       history_(setup.output.history_interval.value_or(setup.time.end / 1000.0)) {
   step_ = solid_step(run_);
+  constexpr double very_many = 1e9;
+  if (setup.time.scheme != Scheme::quasi_static && setup.time.end > very_many * step_) {
+    run_.summary.warnings.push_back(fmt::format(
+        "time.end = {:g} s takes {:.2g} steps of {:.3g} s, years of computing. Motion is for what "
+        "lasts as long as waves in the rock take; for slow injection take time.scheme = "
+        "\"quasi_static\"",
+        setup.time.end, setup.time.end / step_, step_));
+  }
   for (const auto& [name, excavation] : setup.excavation) {
     diggings_.push_back({name, excavation.start, excavation.duration,
                          triangles_of(run_.dynamics.model().mesh, name, excavation),

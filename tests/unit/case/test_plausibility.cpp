@@ -66,6 +66,25 @@ TEST(Plausibility, AperturesWithoutTheirUnitAreDoubted) {
                      "in m; 0.1 mm is written \"0.1 mm\""});
 }
 
+TEST(Plausibility, RatesOfPumpsAreDoubted) {
+  const auto pumped = [](const std::string& rate) {
+    return warnings_with(
+        {{"[time]", "[source.pump]\npoint = [0, 0]\nrate = " + rate + "\n\n[time]"}});
+  };
+  EXPECT_EQ(pumped("60"),
+            Warnings{"case.toml:38:8: warning: source.pump.rate = 60 is 60 m2/s, more than the 1 "
+                     "m2/s of the largest pumps. Is that meant? A number without a unit is in "
+                     "m2/s; 60 l/s/m is written \"60 l/s/m\""});
+  EXPECT_EQ(pumped("{ times = [0, 1, 2], values = [0, -2, 1] }").size(), 1u);
+  EXPECT_TRUE(pumped("0.06").empty());
+}
+
+TEST(Plausibility, IntervalsBeyondTheEndAreToldOf) {
+  EXPECT_EQ(warnings_with({{"end = \"10 ms\"\n", "end = \"10 ms\"\n\n[output]\ninterval = 1\n"}}),
+            Warnings{"case.toml:40:12: warning: output.interval = 1 is longer than the run, which "
+                     "ends at time.end = 0.01 s: only its first and its last state are written"});
+}
+
 TEST(Plausibility, LoadsWithoutTheirUnitAreDoubted) {
   EXPECT_EQ(warnings_with({{"\"1 MPa\"", "1"}}),
             Warnings{"case.toml:33:12: warning: boundary.wall.pressure = 1 is 1 Pa, less than the "

@@ -136,6 +136,17 @@ TEST(SolidErrors, RegularMeshesAreWarnedOf) {
   EXPECT_FALSE(warns(Simulation(setup, lattice(0.4)).check(), text));
 }
 
+TEST(SolidErrors, RunsThatWouldTakeYearsAreToldOf) {
+  simulation::Setup setup = test::solid_setup();
+  const std::string text = "steps of";
+  EXPECT_FALSE(warns(Simulation(setup, test::plain_mesh()).check(), text));
+  setup.time.end = 2592000.0;
+  const CheckReport report = Simulation(setup, test::plain_mesh()).check();
+  EXPECT_TRUE(warns(report, "time.end = 2.592e+06 s takes "));
+  EXPECT_TRUE(warns(report, "years of computing. Motion is for what lasts as long as waves in the "
+                            "rock take; for slow injection take time.scheme = \"quasi_static\""));
+}
+
 /// Where only the joints of a straight fracture may break, they say nothing of the mesh.
 TEST(SolidErrors, AFractureIsNoLattice) {
   const test::Grid grid{.columns = 320, .rows = 2, .width = 32.0, .height = 0.2};
