@@ -16,12 +16,14 @@ steps: results and checkpoints are kept, and the same command goes on with them.
 from __future__ import annotations
 
 import argparse
+import ctypes
 import itertools
 import json
 import os
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
@@ -29,7 +31,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import numpy as np
 
@@ -184,12 +186,16 @@ def _run_elsewhere(folder: Path, number: int, threads: int,
     package = str(Path(__file__).absolute().parent.parent)
     path = os.pathsep.join([package, *filter(None, [os.environ.get("PYTHONPATH")])])
     words = [sys.executable, "-W", "ignore", "-m", "percolith.sweeps", str(folder), "--point",
-             str(number), "--threads", str(threads), "--errors", "json"]
-    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                               env={**os.environ, "PYTHONPATH": path})
-    working.add(process)
-    out, told = process.communicate()
-    working.discard(process)
+             str(number), "--threads", str(threads), "--errors", "json", "--parent",
+             str(os.getpid())]
+    # Files, not pipes: those break when this process is killed, just as the run tells of its end.
+    with tempfile.TemporaryFile("w+") as out_file, tempfile.TemporaryFile("w+") as told_file:
+        process = subprocess.Popen(words, stdout=out_file, stderr=told_file,
+                                   env={**os.environ, "PYTHONPATH": path})
+        working.add(process)
+        process.wait()
+        working.discard(process)
+        out, told = (_written(file) for file in (out_file, told_file))
     if process.returncode == 0:
         return None
     try:
@@ -197,6 +203,11 @@ def _run_elsewhere(folder: Path, number: int, threads: int,
     except (ValueError, KeyError, TypeError, AttributeError):
         return Error(f"point {number}: its process ended with exit code {process.returncode}: "
                      f"{told.strip()[-1000:]}")
+
+
+def _written(file: IO[str]) -> str:
+    file.seek(0)
+    return file.read()
 
 
 def _read(file: Path) -> dict[str, Any]:
@@ -340,6 +351,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--errors", choices=("text", "json"), default="text",
                         help="how the error of a point is told: as text, or to the standard output "
                         "as JSON")
+    parser.add_argument("--parent", type=int, metavar="PID", help=argparse.SUPPRESS)
     return parser
 
 
@@ -365,12 +377,25 @@ def _heeding_sigterm() -> Iterator[None]:
         signal.signal(signal.SIGTERM, former)
 
 
+def _end_with(parent: int) -> None:
+    """Has this process get SIGTERM when its parent ends, however that comes about: a run that no
+    one waits for would keep its folder from the next sweep. Nothing like it is elsewhere than on
+    Linux."""
+    if sys.platform == "linux":
+        set_parent_death_signal = 1  # PR_SET_PDEATHSIG
+        ctypes.CDLL(None).prctl(set_parent_death_signal, int(signal.SIGTERM), 0, 0, 0)
+    if os.getppid() != parent:  # It has ended before it could be asked for.
+        raise _Terminated
+
+
 def main(words: list[str] | None = None) -> int:
     """Runs the command; returns 0, 2 where a point or an argument was wrong, and 128 and the number
     of the signal where one ended it."""
     arguments = _parser().parse_args(words)
     try:
         with _heeding_sigterm():
+            if arguments.parent is not None:
+                _end_with(arguments.parent)
             return _run(arguments)
     except KeyboardInterrupt as interrupt:
         ending = signal.SIGTERM if isinstance(interrupt, _Terminated) else signal.SIGINT

@@ -230,6 +230,52 @@ def test_ctrl_c_ends_a_sweep_that_goes_on_later(case, tmp_path):
     assert (sweep.points[0].folder / "checkpoint.bin").is_file()
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="asks Linux to tell of the end of a parent")
+def test_runs_end_with_a_sweep_that_is_killed(case, tmp_path):
+    case["time"] = {"scheme": "explicit", "end": "1e6 s"}
+    del case["output.times"]
+    sweep = percolith.sweep(case, {"boundary.left.pressure": [1e5, 2e5]}, tmp_path / "study")
+    lines = f"import percolith; percolith.Sweep({str(sweep.folder)!r}).run(processes=2)"
+    process = subprocess.Popen([sys.executable, "-c", lines])
+    _wait_until(lambda: all((point.folder / "history.csv").is_file() for point in sweep.points))
+    process.kill()
+    process.wait()
+    _wait_until(lambda: all(point.state == "interrupted" for point in sweep.points))
+    for point in sweep.points:
+        assert "interrupted by SIGTERM" in (point.folder / "run.log").read_text()
+        steps = point.results().summary["steps"]
+        run = _wait_until(lambda folder=point.folder: _reopened(folder))
+        run.advance(float("inf"), 5, False)
+        assert run.steps == steps + 5
+        run.close("the test")
+
+
+def _wait_until(asked):
+    deadline = time.monotonic() + 60
+    while not (answer := asked()):
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+    return answer
+
+
+def _reopened(folder):
+    """The run; None as long as the process that has written its results has not ended."""
+    try:
+        return reopen_run(folder)
+    except percolith.CaseError as error:
+        assert "another run" in str(error)
+        return None
+
+
+def test_a_run_whose_sweep_has_gone_already_does_not_begin(case, tmp_path):
+    sweep = percolith.sweep(case, OPTIONS, tmp_path / "study")
+    # In a process of its own: what it asks of Linux would last.
+    done = subprocess.run([sys.executable, "-m", "percolith.sweeps", sweep.folder, "--point", "0",
+                           "--parent", "1"], check=False, capture_output=True, text=True)
+    assert done.returncode == 128 + signal.SIGTERM
+    assert not sweep.points[0].folder.exists()
+
+
 @pytest.mark.parametrize("words", [["--point", "0"], ["--processes", "2"]])
 @pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGINT])
 def test_a_signal_ends_a_job_that_goes_on_later(case, tmp_path, words, ending):
