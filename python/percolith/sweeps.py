@@ -173,7 +173,9 @@ class Sweep:
     def table(self) -> Table:
         """A row a point: `point`, `state`, its options, and the numbers of its summary, those of
         mechanics and of the mass balance among them, and the rate of each condition at the end as
-        `boundary.left_m2_per_s`, called as in the history; NaN where there is none."""
+        `boundary.left_m2_per_s`, called as in the history; NaN where there is none. The highest
+        pressure of a source in cracks is in `peak_pressures.source.pump.pressure_Pa`, reached at
+        `peak_pressures.source.pump.time_s`."""
         rows = [_row(point) for point in self.points]
         names = list(dict.fromkeys(name for row in rows for name in row))
         return Table({name: _column([row.get(name) for row in rows]) for name in names})
@@ -251,6 +253,9 @@ def _row(point: Point) -> dict[str, Any]:
                 if isinstance(value, (int, float)) and not isinstance(value, bool)}
         rates = summary.get("rate_m2_per_s", {})
         row |= {f"{name}_m2_per_s": rate for name, rate in rates.items()}
+        peaks = summary.get("mechanics", {}).get("peak_pressures", {})
+        row |= {f"peak_pressures.{name}.{quantity}": value for name, peak in peaks.items()
+                for quantity, value in peak.items()}
     return row
 
 

@@ -51,6 +51,18 @@ def test_all_combinations_are_run_and_told(case, tmp_path):
     assert sweep.points[2].results().summary["state_hash"] == alone.state_hash
 
 
+def test_peak_pressures_of_sources_are_in_the_table(coupled, tmp_path):
+    sweep = percolith.sweep(coupled, {"source.middle.rate": [1e-2, 2e-2]}, tmp_path / "study")
+    sweep.run_point(1)
+    table = sweep.table()
+    peaks = sweep.points[1].results().summary["mechanics"]["peak_pressures"]
+    assert set(peaks) == {"source.lower", "source.middle", "source.upper"}
+    for name, peak in peaks.items():
+        assert table[f"peak_pressures.{name}.pressure_Pa"][1] == peak["pressure_Pa"]
+        assert table[f"peak_pressures.{name}.time_s"][1] == peak["time_s"]
+    assert np.isnan(table["peak_pressures.source.middle.pressure_Pa"][0])
+
+
 def test_what_has_finished_is_not_run_again_and_the_rest_goes_on(case, tmp_path):
     sweep = percolith.sweep(case, OPTIONS, tmp_path / "study")
     sweep.run_point(0)
