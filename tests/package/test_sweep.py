@@ -95,6 +95,30 @@ def test_a_point_that_fails_does_not_stop_the_others(case, tmp_path):
     assert [point.state for point in sweep.points] == ["failed", "finished"]
 
 
+def test_what_points_warn_of_is_told_once(coupled, tmp_path, recwarn):
+    coupled["material.rock.biot_coefficient"] = 0.1
+    options = {"material.rock.density": [2000, 2100]}
+
+    def told():
+        texts = [str(each.message) for each in recwarn if each.category is percolith.CaseWarning]
+        assert all(each.filename == __file__ for each in recwarn)
+        recwarn.clear()
+        return texts
+
+    sweep = percolith.sweep(coupled, options, tmp_path / "study")
+    (planned,) = told()
+    assert "biot_coefficient = 0.1 is outside" in planned
+    assert sweep.run(processes=1) == {}
+    (ran,) = told()  # what only a model that is run can tell
+    assert "cohesive length" in ran
+
+    for point in sweep.points:
+        shutil.rmtree(point.folder)
+    assert percolith.Sweep(sweep.folder).run(processes=1) == {}
+    first, second = told()
+    assert "biot_coefficient = 0.1 is outside" in first and "cohesive length" in second
+
+
 def test_mistakes_are_told_before_anything_is_written(case, tmp_path):
     for options, message in [({"time.stepp": [1]}, "time.stepp"), ({"time.step": "2 ms"}, "no list"),
                              ([], "without points"), ({"time.step": []}, "without points"),
