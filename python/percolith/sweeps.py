@@ -152,8 +152,16 @@ class Sweep:
         """Runs all that is left, in so many processes of so many threads each; as many processes as
         there are processors for when None. Returns the errors of the points that failed, by their
         numbers; the others are run all the same. What a point warns of is a CaseWarning when it has
-        ended, once for all that warn of the same. After Ctrl-C nothing new is begun, and the next call
-        goes on."""
+        ended, once for all that warn of the same. After Ctrl-C nothing new is begun, and the next
+        call goes on."""
+        try:
+            return self._run_left(processes, threads)
+        except KeyboardInterrupt:
+            print(f"{self.folder}: ended by Ctrl-C; results and checkpoints are kept, and the same "
+                  "lines go on with them", file=sys.stderr)
+            raise
+
+    def _run_left(self, processes: int | None, threads: int) -> dict[int, Error]:
         threads = whole_number("threads", threads, "number of threads")
         if processes is None:
             processes = max(1, len(os.sched_getaffinity(0)) // threads)
@@ -166,7 +174,7 @@ class Sweep:
             try:
                 for job in as_completed(jobs):
                     for text in _new(job.result()[1], self._warned):
-                        warnings.warn(text, CaseWarning, stacklevel=2)
+                        warnings.warn(text, CaseWarning, stacklevel=3)
             except BaseException:
                 pool.shutdown(wait=False, cancel_futures=True)
                 for process in list(working):
@@ -467,7 +475,7 @@ def _run(arguments: argparse.Namespace) -> int:
                 chosen.run_point(arguments.point, threads=arguments.threads)
             return 0
         threads = 1 if arguments.threads is None else arguments.threads
-        failed = chosen.run(processes=arguments.processes, threads=threads)
+        failed = chosen._run_left(arguments.processes, threads)  # main tells of an end by a signal
     except Error as error:
         _tell(error, arguments)
         return 2

@@ -245,7 +245,7 @@ def test_a_job_of_an_array_runs_one_point(case, tmp_path, capsys):
     assert "no number of a point" in capsys.readouterr().err
 
 
-def test_ctrl_c_ends_a_sweep_that_goes_on_later(case, tmp_path):
+def test_ctrl_c_ends_a_sweep_that_goes_on_later(case, tmp_path, capsys):
     case["time"] = {"scheme": "explicit", "end": "1e6 s"}
     del case["output.times"]
     sweep = percolith.sweep(case, {"boundary.left.pressure": [1e5, 2e5, 3e5]}, tmp_path / "study")
@@ -262,6 +262,9 @@ def test_ctrl_c_ends_a_sweep_that_goes_on_later(case, tmp_path):
     with pytest.raises(KeyboardInterrupt):
         sweep.run(processes=2)
     thread.join()
+    told = capsys.readouterr().err
+    assert told == (f"{sweep.folder}: ended by Ctrl-C; results and checkpoints are kept, and the "
+                    "same lines go on with them\n")
     assert [point.state for point in sweep.points] == ["interrupted", "interrupted", "waiting"]
     assert (sweep.points[0].folder / "checkpoint.bin").is_file()
 
@@ -329,6 +332,7 @@ def test_a_signal_ends_a_job_that_goes_on_later(case, tmp_path, words, ending):
     _, told = process.communicate(timeout=60)
     assert process.returncode == 128 + ending
     assert "Traceback" not in told
+    assert told.count("ended by") == 1
     assert f"{sweep.folder}: ended by {ending.name}; results and checkpoints are kept" in told
     for point in begun:
         assert point.state == "interrupted" and (point.folder / "checkpoint.bin").is_file()
