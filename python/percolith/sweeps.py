@@ -16,20 +16,22 @@ steps: results and checkpoints are kept, and the same command goes on with them.
 from __future__ import annotations
 
 import argparse
+import ctypes
 import itertools
 import json
 import os
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import warnings
-from collections.abc import Iterator, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import numpy as np
 
@@ -102,6 +104,7 @@ class Sweep:
 
     def __init__(self, folder: str | os.PathLike):
         self.folder = Path(folder)
+        self._warned: set[str] = set()
         try:
             plan = json.loads((self.folder / _PLAN).read_text(encoding="utf-8"))
             self._plan = {name: plan[name] for name in ("case", "directory", "points")}
@@ -148,8 +151,17 @@ class Sweep:
     def run(self, *, processes: int | None = None, threads: int = 1) -> dict[int, Error]:
         """Runs all that is left, in so many processes of so many threads each; as many processes as
         there are processors for when None. Returns the errors of the points that failed, by their
-        numbers; the others are run all the same. After Ctrl-C nothing new is begun, and the next
+        numbers; the others are run all the same. What a point warns of is a CaseWarning when it has
+        ended, once for all that warn of the same. After Ctrl-C nothing new is begun, and the next
         call goes on."""
+        try:
+            return self._run_left(processes, threads)
+        except KeyboardInterrupt:
+            print(f"{self.folder}: ended by Ctrl-C; results and checkpoints are kept, and the same "
+                  "lines go on with them", file=sys.stderr)
+            raise
+
+    def _run_left(self, processes: int | None, threads: int) -> dict[int, Error]:
         threads = whole_number("threads", threads, "number of threads")
         if processes is None:
             processes = max(1, len(os.sched_getaffinity(0)) // threads)
@@ -160,43 +172,71 @@ class Sweep:
             jobs = [pool.submit(_run_elsewhere, self.folder, number, threads, working)
                     for number in left]
             try:
-                ended = [job.result() for job in jobs]
+                for job in as_completed(jobs):
+                    for text in _new(job.result()[1], self._warned):
+                        warnings.warn(text, CaseWarning, stacklevel=3)
             except BaseException:
                 pool.shutdown(wait=False, cancel_futures=True)
                 for process in list(working):
                     process.send_signal(signal.SIGINT)
                 raise
+        ended = [job.result()[0] for job in jobs]
         return {number: error for number, error in zip(left, ended) if error is not None}
 
     def table(self) -> Table:
         """A row a point: `point`, `state`, its options, and the numbers of its summary, those of
         mechanics and of the mass balance among them, and the rate of each condition at the end as
-        `boundary.left_m2_per_s`, called as in the history; NaN where there is none."""
+        `boundary.left_m2_per_s`, called as in the history; NaN where there is none. The highest
+        pressure of a source in cracks is in `peak_pressures.source.pump.pressure_Pa`, reached at
+        `peak_pressures.source.pump.time_s`."""
         rows = [_row(point) for point in self.points]
         names = list(dict.fromkeys(name for row in rows for name in row))
         return Table({name: _column([row.get(name) for row in rows]) for name in names})
 
 
 def _run_elsewhere(folder: Path, number: int, threads: int,
-                   working: set[subprocess.Popen]) -> Error | None:
-    """Runs a point in a process of its own; returns what went wrong. Warnings are in the log of
-    the run. The process does not import the program that asks for it."""
+                   working: set[subprocess.Popen]) -> tuple[Error | None, list[str]]:
+    """Runs a point in a process of its own; returns what went wrong, and what it warned of. The
+    process does not import the program that asks for it."""
     package = str(Path(__file__).absolute().parent.parent)
     path = os.pathsep.join([package, *filter(None, [os.environ.get("PYTHONPATH")])])
     words = [sys.executable, "-W", "ignore", "-m", "percolith.sweeps", str(folder), "--point",
-             str(number), "--threads", str(threads), "--errors", "json"]
-    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                               env={**os.environ, "PYTHONPATH": path})
-    working.add(process)
-    out, told = process.communicate()
-    working.discard(process)
+             str(number), "--threads", str(threads), "--errors", "json", "--parent",
+             str(os.getpid())]
+    # Files, not pipes: those break when this process is killed, just as the run tells of its end.
+    with tempfile.TemporaryFile("w+") as out_file, tempfile.TemporaryFile("w+") as told_file:
+        process = subprocess.Popen(words, stdout=out_file, stderr=told_file,
+                                   env={**os.environ, "PYTHONPATH": path})
+        working.add(process)
+        process.wait()
+        working.discard(process)
+        out, told = (_written(file) for file in (out_file, told_file))
+    lines = out.splitlines()
+    texts = [json.loads(line)["warning"] for line in lines if line.startswith('{"warning"')]
     if process.returncode == 0:
-        return None
+        return None, texts
     try:
-        return _error_from(json.loads(out))
-    except (ValueError, KeyError, TypeError, AttributeError):
+        return _error_from(json.loads(lines[-1])), texts
+    except (ValueError, LookupError, TypeError, AttributeError):
         return Error(f"point {number}: its process ended with exit code {process.returncode}: "
-                     f"{told.strip()[-1000:]}")
+                     f"{told.strip()[-1000:]}"), texts
+
+
+def _new(texts: list[str], known: set[str]) -> list[str]:
+    """Those warnings that say what none before has said, wherever in a case they say it of: the
+    plan has other lines than the case file. `known` holds what has been said."""
+    new = []
+    for text in texts:
+        said = text.partition("warning: ")[2] or text
+        if said not in known:
+            known.add(said)
+            new.append(text)
+    return new
+
+
+def _written(file: IO[str]) -> str:
+    file.seek(0)
+    return file.read()
 
 
 def _read(file: Path) -> dict[str, Any]:
@@ -240,6 +280,9 @@ def _row(point: Point) -> dict[str, Any]:
                 if isinstance(value, (int, float)) and not isinstance(value, bool)}
         rates = summary.get("rate_m2_per_s", {})
         row |= {f"{name}_m2_per_s": rate for name, rate in rates.items()}
+        peaks = summary.get("mechanics", {}).get("peak_pressures", {})
+        row |= {f"peak_pressures.{name}.{quantity}": value for name, peak in peaks.items()
+                for quantity, value in peak.items()}
     return row
 
 
@@ -269,7 +312,7 @@ def sweep(case: Case, options: Mapping[str, Sequence[Any]] | Sequence[Mapping[st
     written: options, and for each different mesh, with the groups, regions and places that a point
     asks of it, the model as a whole. Raises CaseError for options that cannot be, with the number
     of the point, and where the folder holds another sweep; FileError where a mesh cannot be read or
-    the sweep be written.
+    the sweep be written. What points warn of is a CaseWarning, once for all that warn of the same.
 
         done = percolith.sweep(case, {"material.rock.permeability": [1e-15, 1e-14]}, "study")
         done.run()
@@ -279,30 +322,45 @@ def sweep(case: Case, options: Mapping[str, Sequence[Any]] | Sequence[Mapping[st
     if not points:
         raise CaseError("error: a sweep without points; allowed: one value or more for each option")
     seen: set[str] = set()
+    texts: list[str] = []
+    warned: set[str] = set()
     for number, point in enumerate(points):
         other = case.copy()
         try:
             for key, value in point.items():
                 other[key] = value
-            _check(other, seen)
+            with _warnings_to(texts.append):
+                _check(other, seen)
         except Error as error:
             raise _named(error, number) from error
+    for text in _new(texts, warned):
+        warnings.warn(text, CaseWarning, stacklevel=2)
     plan = {"case": case.to_toml(), "directory": str(case.file.absolute().parent),
             "points": points}
     _write_plan(Path(folder), plan)
-    return Sweep(folder)
+    planned = Sweep(folder)
+    planned._warned = warned
+    return planned
+
+
+@contextmanager
+def _warnings_to(tell: Callable[[str], object]) -> Iterator[None]:
+    """What a case or a run warns of goes to `tell`, all of it; other warnings go nowhere."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        warnings.simplefilter("always", CaseWarning)
+        warnings.showwarning = lambda message, *_, **__: tell(str(message))
+        yield
 
 
 def _check(case: Case, seen: set[str]) -> None:
     """Checks the options, and builds the model once for all that is alike in what needs the mesh;
     `seen` holds what has been built."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", CaseWarning)
-        case.validate()
-        asked = json.dumps(sorted(_of_the_mesh(case, "")))
-        if asked not in seen:
-            start_run(case.source)
-            seen.add(asked)
+    case.validate()
+    asked = json.dumps(sorted(_of_the_mesh(case, "")))
+    if asked not in seen:
+        start_run(case.source)
+        seen.add(asked)
 
 
 def _of_the_mesh(options: Options, path: str) -> Iterator[tuple[str, str]]:
@@ -338,8 +396,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--processes", type=int, metavar="N", help="runs at once")
     parser.add_argument("--threads", type=int, default=None, metavar="N", help="of each run")
     parser.add_argument("--errors", choices=("text", "json"), default="text",
-                        help="how the error of a point is told: as text, or to the standard output "
-                        "as JSON")
+                        help="how the error and the warnings of a point are told: as text, or to "
+                        "the standard output as lines of JSON")
+    parser.add_argument("--parent", type=int, metavar="PID", help=argparse.SUPPRESS)
     return parser
 
 
@@ -365,12 +424,25 @@ def _heeding_sigterm() -> Iterator[None]:
         signal.signal(signal.SIGTERM, former)
 
 
+def _end_with(parent: int) -> None:
+    """Has this process get SIGTERM when its parent ends, however that comes about: a run that no
+    one waits for would keep its folder from the next sweep. Nothing like it is elsewhere than on
+    Linux."""
+    if sys.platform == "linux":
+        set_parent_death_signal = 1  # PR_SET_PDEATHSIG
+        ctypes.CDLL(None).prctl(set_parent_death_signal, int(signal.SIGTERM), 0, 0, 0)
+    if os.getppid() != parent:  # It has ended before it could be asked for.
+        raise _Terminated
+
+
 def main(words: list[str] | None = None) -> int:
     """Runs the command; returns 0, 2 where a point or an argument was wrong, and 128 and the number
     of the signal where one ended it."""
     arguments = _parser().parse_args(words)
     try:
         with _heeding_sigterm():
+            if arguments.parent is not None:
+                _end_with(arguments.parent)
             return _run(arguments)
     except KeyboardInterrupt as interrupt:
         ending = signal.SIGTERM if isinstance(interrupt, _Terminated) else signal.SIGINT
@@ -386,6 +458,10 @@ def _tell(error: Error, arguments: argparse.Namespace) -> None:
         print(error, file=sys.stderr)
 
 
+def _tell_warning(text: str) -> None:
+    print(json.dumps({"warning": text}), flush=True)
+
+
 def _run(arguments: argparse.Namespace) -> int:
     try:
         chosen = Sweep(arguments.folder)
@@ -394,10 +470,12 @@ def _run(arguments: argparse.Namespace) -> int:
                 print(point.number, point.state, json.dumps(point.options))
             return 0
         if arguments.point is not None:
-            chosen.run_point(arguments.point, threads=arguments.threads)
+            heeded = _warnings_to(_tell_warning) if arguments.errors == "json" else nullcontext()
+            with heeded:
+                chosen.run_point(arguments.point, threads=arguments.threads)
             return 0
         threads = 1 if arguments.threads is None else arguments.threads
-        failed = chosen.run(processes=arguments.processes, threads=threads)
+        failed = chosen._run_left(arguments.processes, threads)  # main tells of an end by a signal
     except Error as error:
         _tell(error, arguments)
         return 2

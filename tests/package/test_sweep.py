@@ -51,6 +51,18 @@ def test_all_combinations_are_run_and_told(case, tmp_path):
     assert sweep.points[2].results().summary["state_hash"] == alone.state_hash
 
 
+def test_peak_pressures_of_sources_are_in_the_table(coupled, tmp_path):
+    sweep = percolith.sweep(coupled, {"source.middle.rate": [1e-2, 2e-2]}, tmp_path / "study")
+    sweep.run_point(1)
+    table = sweep.table()
+    peaks = sweep.points[1].results().summary["mechanics"]["peak_pressures"]
+    assert set(peaks) == {"source.lower", "source.middle", "source.upper"}
+    for name, peak in peaks.items():
+        assert table[f"peak_pressures.{name}.pressure_Pa"][1] == peak["pressure_Pa"]
+        assert table[f"peak_pressures.{name}.time_s"][1] == peak["time_s"]
+    assert np.isnan(table["peak_pressures.source.middle.pressure_Pa"][0])
+
+
 def test_what_has_finished_is_not_run_again_and_the_rest_goes_on(case, tmp_path):
     sweep = percolith.sweep(case, OPTIONS, tmp_path / "study")
     sweep.run_point(0)
@@ -81,6 +93,30 @@ def test_a_point_that_fails_does_not_stop_the_others(case, tmp_path):
     failed = sweep.run(processes=1)
     assert list(failed) == [0] and isinstance(failed[0], percolith.SolverError)
     assert [point.state for point in sweep.points] == ["failed", "finished"]
+
+
+def test_what_points_warn_of_is_told_once(coupled, tmp_path, recwarn):
+    coupled["material.rock.biot_coefficient"] = 0.1
+    options = {"material.rock.density": [2000, 2100]}
+
+    def told():
+        texts = [str(each.message) for each in recwarn if each.category is percolith.CaseWarning]
+        assert all(each.filename == __file__ for each in recwarn)
+        recwarn.clear()
+        return texts
+
+    sweep = percolith.sweep(coupled, options, tmp_path / "study")
+    (planned,) = told()
+    assert "biot_coefficient = 0.1 is outside" in planned
+    assert sweep.run(processes=1) == {}
+    (ran,) = told()  # what only a model that is run can tell
+    assert "cohesive length" in ran
+
+    for point in sweep.points:
+        shutil.rmtree(point.folder)
+    assert percolith.Sweep(sweep.folder).run(processes=1) == {}
+    first, second = told()
+    assert "biot_coefficient = 0.1 is outside" in first and "cohesive length" in second
 
 
 def test_mistakes_are_told_before_anything_is_written(case, tmp_path):
@@ -209,7 +245,7 @@ def test_a_job_of_an_array_runs_one_point(case, tmp_path, capsys):
     assert "no number of a point" in capsys.readouterr().err
 
 
-def test_ctrl_c_ends_a_sweep_that_goes_on_later(case, tmp_path):
+def test_ctrl_c_ends_a_sweep_that_goes_on_later(case, tmp_path, capsys):
     case["time"] = {"scheme": "explicit", "end": "1e6 s"}
     del case["output.times"]
     sweep = percolith.sweep(case, {"boundary.left.pressure": [1e5, 2e5, 3e5]}, tmp_path / "study")
@@ -226,8 +262,57 @@ def test_ctrl_c_ends_a_sweep_that_goes_on_later(case, tmp_path):
     with pytest.raises(KeyboardInterrupt):
         sweep.run(processes=2)
     thread.join()
+    told = capsys.readouterr().err
+    assert told == (f"{sweep.folder}: ended by Ctrl-C; results and checkpoints are kept, and the "
+                    "same lines go on with them\n")
     assert [point.state for point in sweep.points] == ["interrupted", "interrupted", "waiting"]
     assert (sweep.points[0].folder / "checkpoint.bin").is_file()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="asks Linux to tell of the end of a parent")
+def test_runs_end_with_a_sweep_that_is_killed(case, tmp_path):
+    case["time"] = {"scheme": "explicit", "end": "1e6 s"}
+    del case["output.times"]
+    sweep = percolith.sweep(case, {"boundary.left.pressure": [1e5, 2e5]}, tmp_path / "study")
+    lines = f"import percolith; percolith.Sweep({str(sweep.folder)!r}).run(processes=2)"
+    process = subprocess.Popen([sys.executable, "-c", lines])
+    _wait_until(lambda: all((point.folder / "history.csv").is_file() for point in sweep.points))
+    process.kill()
+    process.wait()
+    _wait_until(lambda: all(point.state == "interrupted" for point in sweep.points))
+    for point in sweep.points:
+        assert "interrupted by SIGTERM" in (point.folder / "run.log").read_text()
+        steps = point.results().summary["steps"]
+        run = _wait_until(lambda folder=point.folder: _reopened(folder))
+        run.advance(float("inf"), 5, False)
+        assert run.steps == steps + 5
+        run.close("the test")
+
+
+def _wait_until(asked):
+    deadline = time.monotonic() + 60
+    while not (answer := asked()):
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+    return answer
+
+
+def _reopened(folder):
+    """The run; None as long as the process that has written its results has not ended."""
+    try:
+        return reopen_run(folder)
+    except percolith.CaseError as error:
+        assert "another run" in str(error)
+        return None
+
+
+def test_a_run_whose_sweep_has_gone_already_does_not_begin(case, tmp_path):
+    sweep = percolith.sweep(case, OPTIONS, tmp_path / "study")
+    # In a process of its own: what it asks of Linux would last.
+    done = subprocess.run([sys.executable, "-m", "percolith.sweeps", sweep.folder, "--point", "0",
+                           "--parent", "1"], check=False, capture_output=True, text=True)
+    assert done.returncode == 128 + signal.SIGTERM
+    assert not sweep.points[0].folder.exists()
 
 
 @pytest.mark.parametrize("words", [["--point", "0"], ["--processes", "2"]])
@@ -247,6 +332,7 @@ def test_a_signal_ends_a_job_that_goes_on_later(case, tmp_path, words, ending):
     _, told = process.communicate(timeout=60)
     assert process.returncode == 128 + ending
     assert "Traceback" not in told
+    assert told.count("ended by") == 1
     assert f"{sweep.folder}: ended by {ending.name}; results and checkpoints are kept" in told
     for point in begun:
         assert point.state == "interrupted" and (point.folder / "checkpoint.bin").is_file()
