@@ -25,7 +25,8 @@ def _ending(history: Table, ending: str) -> dict[str, str]:
     return {name: name.removesuffix(ending) for name in history.columns if name.endswith(ending)}
 
 
-def _groups(run: RunDirectory, history: Table) -> list[tuple[dict[str, str], Callable[[np.ndarray], Scale], str]]:
+def _groups(run: RunDirectory,
+            history: Table) -> list[tuple[dict[str, str], Callable[[np.ndarray], Scale], str]]:
     """Columns with their names, choice of unit and quantity of each panel."""
     def volume_scale(values: np.ndarray) -> Scale:
         return power_scale(values, "m³/m")

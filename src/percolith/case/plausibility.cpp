@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <optional>
 
@@ -99,11 +98,7 @@ void judge_apertures(const Setup& setup, Doubts& doubts) {
 
 void judge_rates(const Setup& setup, Doubts& doubts) {
   for (const auto& [name, source] : setup.source) {
-    const Schedule given = source.rate.value_or(Schedule{});
-    doubts.judge("source." + name + ".rate",
-                 *std::max_element(given.value.begin(), given.value.end(),
-                                   [](double a, double b) { return std::abs(a) < std::abs(b); }),
-                 rate);
+    doubts.judge("source." + name + ".rate", largest(source.rate.value_or(Schedule{})), rate);
   }
 }
 

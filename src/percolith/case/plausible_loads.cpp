@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/case/plausible_loads.hpp"
 
+#include "percolith/case/supports.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,14 +29,8 @@ void judge_load(const std::string& key, double load, Doubts& doubts) {
   }
 }
 
-/// The load where it is largest.
 void judge_load(const std::string& key, const std::optional<Schedule>& schedule, Doubts& doubts) {
-  if (schedule) {
-    judge_load(key,
-               *std::max_element(schedule->value.begin(), schedule->value.end(),
-                                 [](double a, double b) { return std::abs(a) < std::abs(b); }),
-               doubts);
-  }
+  judge_load(key, largest(schedule.value_or(Schedule{})), doubts);
 }
 
 void judge_boundaries(const Setup& setup, Doubts& doubts) {
@@ -75,10 +71,10 @@ bool is_held(const Setup& setup) {
                                       [](const auto& entry) { return entry.second.rigid; });
   return has_platen ||
          std::any_of(setup.boundary.begin(), setup.boundary.end(), [&](const auto& entry) {
-           const simulation::BoundaryCondition& c = entry.second;
-           return bears(c, *setup.in_situ) || c.in_situ || c.fixed || c.roller || c.absorbing ||
-                  c.displacement_x || c.displacement_y || c.velocity_x || c.velocity_y ||
-                  c.traction_x || c.traction_y || c.normal_pressure;
+           return bears(entry.second, *setup.in_situ) ||
+                  std::any_of(supports().begin(), supports().end(), [&](const Support& support) {
+                    return support.name != "pressurised" && support.acts(entry.second);
+                  });
          });
 }
 

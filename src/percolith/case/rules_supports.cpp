@@ -1,34 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/case/rules.hpp"
+#include "percolith/case/supports.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace percolith::case_file {
 
 namespace {
 
 using simulation::BoundaryCondition;
-
-struct Support {
-  std::string_view name;
-  bool (*acts)(const BoundaryCondition&);
-};
-
-constexpr std::array<Support, 12> supports{{
-    {"fixed", [](const BoundaryCondition& c) { return c.fixed; }},
-    {"roller", [](const BoundaryCondition& c) { return c.roller; }},
-    {"displacement_x", [](const BoundaryCondition& c) { return c.displacement_x.has_value(); }},
-    {"displacement_y", [](const BoundaryCondition& c) { return c.displacement_y.has_value(); }},
-    {"velocity_x", [](const BoundaryCondition& c) { return c.velocity_x.has_value(); }},
-    {"velocity_y", [](const BoundaryCondition& c) { return c.velocity_y.has_value(); }},
-    {"traction_x", [](const BoundaryCondition& c) { return c.traction_x.has_value(); }},
-    {"traction_y", [](const BoundaryCondition& c) { return c.traction_y.has_value(); }},
-    {"normal_pressure", [](const BoundaryCondition& c) { return c.normal_pressure.has_value(); }},
-    {"pressurised", [](const BoundaryCondition& c) { return c.pressurised; }},
-    {"in_situ", [](const BoundaryCondition& c) { return c.in_situ; }},
-    {"absorbing", [](const BoundaryCondition& c) { return c.absorbing; }},
-}};
 
 /// A support and those that cannot stand beside it on one boundary.
 struct Conflict {
@@ -56,7 +36,7 @@ std::vector<Conflict> conflicts() {
 }
 
 bool acts(const BoundaryCondition& condition, std::string_view name) {
-  return std::any_of(supports.begin(), supports.end(), [&](const Support& support) {
+  return std::any_of(supports().begin(), supports().end(), [&](const Support& support) {
     return support.name == name && support.acts(condition);
   });
 }
@@ -75,7 +55,7 @@ void check_conflicts(Rules& rules, const std::string& path, const BoundaryCondit
 void check_any(Rules& rules, const std::string& path, const BoundaryCondition& condition) {
   std::vector<std::string_view> names;
   bool any = false;
-  for (const Support& support : supports) {
+  for (const Support& support : supports()) {
     if (rules.has_flow() || support.name != "pressurised") {
       names.push_back(support.name);
     }

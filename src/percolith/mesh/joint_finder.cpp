@@ -47,8 +47,7 @@ JointFinder::JointFinder(const Mesh& mesh, std::span<const Index> joints, double
 }
 
 JointFinder::Square JointFinder::square_of(const Point& p) const {
-  return {static_cast<std::int64_t>(std::floor(p.x / size_)),
-          static_cast<std::int64_t>(std::floor(p.y / size_))};
+  return {std::floor(p.x / size_), std::floor(p.y / size_)};
 }
 
 std::vector<PlaceOnJoint> JointFinder::near(const Point& p) const {
@@ -57,10 +56,11 @@ std::vector<PlaceOnJoint> JointFinder::near(const Point& p) const {
     return places;
   }
   const auto [column, row] = square_of(p);
-  for (std::int64_t x = column - 1; x <= column + 1; ++x) {
+  for (const double beside : {-1.0, 0.0, 1.0}) {
+    const double x = column + beside;
     auto found = std::lower_bound(by_square_.begin(), by_square_.end(),
-                                  std::pair(Square{x, row - 1}, Index{0}));
-    for (; found != by_square_.end() && found->first <= Square{x, row + 1}; ++found) {
+                                  std::pair(Square{x, row - 1.0}, Index{0}));
+    for (; found != by_square_.end() && found->first <= Square{x, row + 1.0}; ++found) {
       const PlaceOnJoint place = place_on(*mesh_, found->second, p);
       if (place.distance <= share_ * mesh_->joint_length(place.joint)) {
         places.push_back(place);

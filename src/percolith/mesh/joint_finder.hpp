@@ -3,7 +3,6 @@
 
 #include "percolith/mesh/mesh.hpp"
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
@@ -31,7 +30,8 @@ public:
   [[nodiscard]] std::vector<PlaceOnJoint> near(const Point& p) const;
 
 private:
-  using Square = std::pair<std::int64_t, std::int64_t>;
+  /// Column and row, whole numbers that a point may lie too far away for integers to hold.
+  using Square = std::pair<double, double>;
   [[nodiscard]] Square square_of(const Point& p) const;
   const Mesh* mesh_;
   double share_;

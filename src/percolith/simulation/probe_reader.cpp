@@ -16,6 +16,15 @@ double between(const std::vector<double>& field, const std::array<Index, 2>& end
   return (1.0 - fraction) * field[at(ends[0])] + fraction * field[at(ends[1])];
 }
 
+/// The head, m, behind the pressure that a row begins with, at an elevation above the datum, m; of
+/// a fluid that has weight.
+void add_head(const seepage::Model& model, double elevation, ProbeRow& row) {
+  const double specific_weight = model.fluid.density * model.gravity;
+  if (specific_weight > 0.0) {
+    row.values.push_back(row.values.front() / specific_weight + elevation);
+  }
+}
+
 /// Where a probe stands in a crack that is open now, or null.
 const mesh::PlaceOnJoint* open_place(const seepage::Model& model, const ProbeTarget& target) {
   const auto open =
@@ -64,20 +73,14 @@ ProbeRow ProbeReader::matrix_row(const seepage::Model& model, const ProbeTarget&
   const Point flux =
       seepage::darcy_flux(model.mesh.triangle_points(triangle), triangle_flows(model, triangle));
   ProbeRow row{target.place, {pressure}};
-  const double specific_weight = model.fluid.density * model.gravity;
-  if (specific_weight > 0.0) {
-    row.values.push_back(pressure / specific_weight + (target.place.y - head_datum_));
-  }
+  add_head(model, target.place.y - head_datum_, row);
   row.values.insert(row.values.end(), {saturation, flux.x, flux.y});
   return row;
 }
 
 ProbeRow ProbeReader::dry_row(const seepage::Model& model, const ProbeTarget& target) const {
   ProbeRow row{target.place, {model.reference_pressure()}};
-  const double specific_weight = model.fluid.density * model.gravity;
-  if (specific_weight > 0.0) {
-    row.values.push_back(row.values.front() / specific_weight + (target.place.y - head_datum_));
-  }
+  add_head(model, target.place.y - head_datum_, row);
   row.values.insert(row.values.end(), {0.0, 0.0, 0.0, 0.0});
   return row;
 }
@@ -91,12 +94,9 @@ ProbeRow ProbeReader::crack_row(const seepage::Model& model, const ProbeTarget& 
   const auto& ends = model.mesh.joint[at(joint)].vertex;
   const double pressure = between(model.state.crack_pressure, ends, fraction);
   ProbeRow row{target.place, {pressure}};
-  const double specific_weight = model.fluid.density * model.gravity;
-  if (specific_weight > 0.0) {
-    const double y = (1.0 - fraction) * model.mesh.vertex[at(ends[0])].y +
-                     fraction * model.mesh.vertex[at(ends[1])].y;
-    row.values.push_back(pressure / specific_weight + (y - head_datum_));
-  }
+  const double y = (1.0 - fraction) * model.mesh.vertex[at(ends[0])].y +
+                   fraction * model.mesh.vertex[at(ends[1])].y;
+  add_head(model, y - head_datum_, row);
   const Point along = model.mesh.vertex[at(ends[1])] - model.mesh.vertex[at(ends[0])];
   const Point flux = (crack_flow(model, joint) / model.mesh.joint_length(joint)) * along;
   row.values.insert(row.values.end(), {between(model.state.crack_saturation, ends, fraction),

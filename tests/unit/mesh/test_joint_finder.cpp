@@ -47,6 +47,7 @@ TEST(JointFinder, FindsThoseWithinAShareOfTheirLengthNearestFirst) {
   EXPECT_NEAR(near[1].distance, std::hypot(0.1, 0.05), 1e-14);
   EXPECT_EQ(JointFinder(mesh, joints, 0.7).near({0.6, 0.55}).size(), 3u);
   EXPECT_TRUE(JointFinder(mesh, {}, 0.5).near({0.6, 0.55}).empty());
+  EXPECT_TRUE(JointFinder(mesh, joints, 0.5).near({1e300, -1e30}).empty());
 }
 
 TEST(JointFinder, MissesNoneOfAnIrregularMesh) {

@@ -43,6 +43,18 @@ Setup pumped() {
   return setup;
 }
 
+/// The same in rock that the pump breaks, at an energy of mode 1 in J/m2.
+Setup pumped_to_break(double energy) {
+  Setup setup = pumped();
+  Material& rock = setup.material["sandstone"];
+  rock.joints = RockJoints::breakable;
+  rock.strength.tensile_strength = 1e6;
+  rock.strength.mode_1_energy = energy;
+  setup.new_cracks = NewCracks{setup.fracture["notch"].fracture};
+  setup.source["pump"].rate = Schedule::constant(5e-2);
+  return setup;
+}
+
 /// The row of the history nearest to a time, s.
 const HistoryRow& row_at(const std::vector<HistoryRow>& history, double time) {
   return *std::min_element(history.begin(), history.end(),
@@ -135,13 +147,7 @@ TEST(CoupledRuns, ABlockUnderInSituStressOnAllSidesIsHeldInPlace) {
 
 /// A probe along the way of a crack reads dry rock until the crack has come, and the crack then.
 TEST(CoupledRuns, ProbesFollowACrackThatGrows) {
-  simulation::Setup setup = pumped();
-  Material& rock = setup.material["sandstone"];
-  rock.joints = RockJoints::breakable;
-  rock.strength.tensile_strength = 1e6;
-  rock.strength.mode_1_energy = 10.0;
-  setup.new_cracks = NewCracks{setup.fracture["notch"].fracture};
-  setup.source["pump"].rate = Schedule::constant(5e-2);
+  simulation::Setup setup = pumped_to_break(10.0);
   Probe along;
   along.from = {2.0 / 6.0 + 0.01, 0.5};
   along.to = {0.99, 0.5};
@@ -176,15 +182,9 @@ TEST(CoupledRuns, ProbesFollowACrackThatGrows) {
 
 /// What a check foresees is the step that the run comes down to when thin cracks have opened.
 TEST(CoupledRuns, CheckForeseesTheStepOfThinCracks) {
-  simulation::Setup setup = pumped();
-  Material& rock = setup.material["sandstone"];
-  rock.joints = RockJoints::breakable;
-  rock.strength.tensile_strength = 1e6;
-  rock.strength.mode_1_energy = 1.0;
-  setup.new_cracks = NewCracks{setup.fracture["notch"].fracture};
+  simulation::Setup setup = pumped_to_break(1.0);
   setup.new_cracks->fracture.initial_aperture = 1e-5;
   setup.new_cracks->fracture.minimum_aperture = 1e-6;
-  setup.source["pump"].rate = Schedule::constant(5e-2);
   setup.output.history_interval = 1e-9;
   setup.time.end = 1e-3;
   const char* const name = "step once new cracks are there, before they widen (s)";
