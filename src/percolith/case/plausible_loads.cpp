@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/case/plausible_loads.hpp"
 
-#include "percolith/case/supports.hpp"
+#include "percolith/simulation/boundary_supports.hpp"
 
 #include <fmt/format.h>
 
@@ -72,9 +72,7 @@ bool is_held(const Setup& setup) {
   return has_platen ||
          std::any_of(setup.boundary.begin(), setup.boundary.end(), [&](const auto& entry) {
            return bears(entry.second, *setup.in_situ) ||
-                  std::any_of(supports().begin(), supports().end(), [&](const Support& support) {
-                    return support.name != "pressurised" && support.acts(entry.second);
-                  });
+                  (!entry.second.pressurised && simulation::holds_rock(entry.second));
          });
 }
 

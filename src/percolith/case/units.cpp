@@ -7,7 +7,10 @@
 #include <udunits2.h>
 
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace percolith::case_file {
 
@@ -54,6 +57,33 @@ constexpr std::array<KnownDimension, 18> known_dimensions{{
     {"m/(Pa s)", {"exchange coefficient", "2e-7 m/(Pa s)"}},
 }};
 
+/// What the same letters are in other cases: "mD" and "MD" of "md", those with more capitals first.
+/// Empty for texts with so many letters that no slip of a single unit is behind them.
+std::vector<std::string> other_cases(std::string_view unit) {
+  constexpr std::size_t many = 6;
+  std::vector<std::size_t> letters;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    if (std::isalpha(static_cast<unsigned char>(unit[i])) != 0) {
+      letters.push_back(i);
+    }
+  }
+  std::vector<std::string> variants;
+  const std::size_t choices = letters.size() > many ? 0 : std::size_t{1} << letters.size();
+  for (std::size_t choice = choices; choice-- > 0;) {
+    std::string variant(unit);
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+      char& letter = variant[letters[i]];
+      const bool is_capital = ((choice >> (letters.size() - 1 - i)) & 1U) != 0;
+      letter = static_cast<char>(is_capital ? std::toupper(static_cast<unsigned char>(letter))
+                                            : std::tolower(static_cast<unsigned char>(letter)));
+    }
+    if (variant != unit) {
+      variants.push_back(std::move(variant));
+    }
+  }
+  return variants;
+}
+
 }  // namespace
 
 Dimension dimension_of(std::string_view si_unit, std::string_view name) {
@@ -75,7 +105,21 @@ struct Units::Database {
   [[nodiscard]] UnitHandle parse(std::string_view unit) const {
     return UnitHandle(ut_parse(system.get(), std::string(unit).c_str(), UT_UTF8));
   }
+  [[nodiscard]] std::string suggestion(std::string_view unit, std::string_view si_unit) const;
 };
+
+// Units with the letters of `unit` in other cases that can be had in `si_unit`, as a question.
+std::string Units::Database::suggestion(std::string_view unit, std::string_view si_unit) const {
+  const UnitHandle to = parse(si_unit);
+  std::string text;
+  for (const std::string& variant : other_cases(unit)) {
+    const UnitHandle from = parse(variant);
+    if (from && to && ut_are_convertible(from.get(), to.get()) != 0) {
+      text += fmt::format("{}\"{}\"", text.empty() ? "; did you mean " : " or ", variant);
+    }
+  }
+  return text;
+}
 
 void Units::Database::load() {
   ut_set_error_message_handler(ut_ignore);
@@ -102,6 +146,9 @@ Units::Converted Units::convert(double value, std::string_view unit, std::string
   }
   std::string misread = misread_unit(unit);
   if (!misread.empty()) {
+    if (si_unit == "J/m2") {
+      misread += "; of a toughness K the energy is K^2 (1 - nu^2)/E in plane strain";
+    }
     return {std::nullopt, std::move(misread)};
   }
   if (!database_->system) {
@@ -109,15 +156,17 @@ Units::Converted Units::convert(double value, std::string_view unit, std::string
   }
   const UnitHandle from = database_->parse(unit);
   if (!from) {
-    return {std::nullopt, fmt::format("unknown unit \"{}\"", unit)};
+    return {std::nullopt,
+            fmt::format("unknown unit \"{}\"{}", unit, database_->suggestion(unit, si_unit))};
   }
   const UnitHandle to = database_->parse(si_unit);
   if (!to || ut_are_convertible(from.get(), to.get()) == 0) {
     return {std::nullopt,
             si_unit == "1"
                 ? fmt::format("the unit \"{}\" has a dimension, which the option has not", unit)
-                : fmt::format("the unit \"{}\" is not one of {}", unit,
-                              dimension_of(si_unit, dimension).name)};
+                : fmt::format("the unit \"{}\" is not one of {}{}", unit,
+                              dimension_of(si_unit, dimension).name,
+                              database_->suggestion(unit, si_unit))};
   }
   const std::unique_ptr<cv_converter, ConverterDeleter> converter(
       ut_get_converter(from.get(), to.get()));

@@ -5,6 +5,7 @@
 #include "percolith/simulation/mesh_report.hpp"
 #include "percolith/simulation/resolution.hpp"
 #include "percolith/simulation/solid_run.hpp"
+#include "percolith/simulation/start_balance.hpp"
 #include "percolith/simulation/start_strength.hpp"
 
 #include <fmt/format.h>
@@ -116,6 +117,8 @@ std::vector<std::string> solid_warnings(const SolidRun& run) {
   }
   const auto weak = start_strength_warnings(model, table_paths(run.setup));
   warnings.insert(warnings.end(), weak.begin(), weak.end());
+  const auto unbalanced = start_balance_warnings(run.setup, model);
+  warnings.insert(warnings.end(), unbalanced.begin(), unbalanced.end());
   constexpr double regular = 0.4;
   if (regularity(model, static_cast<Index>(run.setup.material.size())) > regular) {
     warnings.push_back(

@@ -6,15 +6,19 @@
 #include <span>
 #include <string_view>
 
-namespace percolith::case_file {
+namespace percolith::simulation {
 
 /// What holds, moves or presses rock at a boundary: an option, and whether a condition asks for it.
 struct Support {
   std::string_view name;
-  bool (*acts)(const simulation::BoundaryCondition&);
+  bool (*acts)(const BoundaryCondition&);
 };
 
 /// All of them.
 [[nodiscard]] std::span<const Support> supports();
 
-}  // namespace percolith::case_file
+/// Whether a condition keeps rock that is under stress from springing apart; edges that only absorb
+/// waves give way.
+[[nodiscard]] bool holds_rock(const BoundaryCondition& condition);
+
+}  // namespace percolith::simulation

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "percolith/case/supports.hpp"
+#include "percolith/simulation/boundary_supports.hpp"
 
+#include <algorithm>
 #include <array>
 
-namespace percolith::case_file {
+namespace percolith::simulation {
 
 namespace {
-
-using simulation::BoundaryCondition;
 
 constexpr std::array<Support, 12> all_supports{{
     {"fixed", [](const BoundaryCondition& c) { return c.fixed; }},
@@ -30,4 +29,10 @@ std::span<const Support> supports() {
   return all_supports;
 }
 
-}  // namespace percolith::case_file
+bool holds_rock(const BoundaryCondition& condition) {
+  return std::any_of(all_supports.begin(), all_supports.end(), [&](const Support& support) {
+    return support.name != "absorbing" && support.acts(condition);
+  });
+}
+
+}  // namespace percolith::simulation

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "percolith/simulation/start_balance.hpp"
+
+#include "percolith/core/quantity_text.hpp"
+#include "percolith/simulation/boundary_supports.hpp"
+#include "percolith/simulation/groups.hpp"
+#include "percolith/simulation/solid_build.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace percolith::simulation {
+namespace {
+
+using mesh::Index;
+
+/// Shares of the largest in-situ stress beyond which a lack of balance is told of.
+constexpr double much_at_edges = 0.1;
+constexpr double much_of_weight = 0.05;
+
+double size_of(const Point& p) {
+  return std::sqrt(dot(p, p));
+}
+
+Index edges_of(const mesh::Mesh& mesh) {
+  return static_cast<Index>(mesh.boundary.size());
+}
+
+Point along_edge(const mesh::Mesh& mesh, Index e) {
+  const mesh::BoundaryEdge& edge = mesh.boundary[at(e)];
+  return mesh.vertex[at(edge.vertex[1])] - mesh.vertex[at(edge.vertex[0])];
+}
+
+/// Per boundary edge whether a condition holds it or its rock is taken out.
+std::vector<std::uint8_t> kept_edges(const Setup& setup, const mesh::Mesh& mesh) {
+  std::vector<std::uint8_t> kept(mesh.boundary.size(), 0);
+  for (const auto& [name, b] : setup.boundary) {
+    if (holds_rock(b)) {
+      for (const Index e : boundary_edges(mesh, b.groups, "boundary." + name + ".groups")) {
+        kept[at(e)] = 1;
+      }
+    }
+  }
+  for (const auto& [name, excavation] : setup.excavation) {
+    const auto regions = find_regions(mesh, excavation.regions, "excavation." + name + ".regions");
+    for (Index e = 0; e < edges_of(mesh); ++e) {
+      const Index region = mesh.region[at(mesh::triangle_of(mesh.boundary[at(e)].corner[0]))];
+      if (std::find(regions.begin(), regions.end(), region) != regions.end()) {
+        kept[at(e)] = 1;
+      }
+    }
+  }
+  return kept;
+}
+
+/// Per boundary edge the traction, Pa, with which the in-situ stress springs back.
+std::vector<Point> bare_tractions(const Setup& setup, const mechanics::Model& model) {
+  const mesh::Mesh& mesh = model.mesh;
+  std::vector<Point> bare(mesh.boundary.size());
+  for (Index e = 0; e < edges_of(mesh); ++e) {
+    const Point along = along_edge(mesh, e);
+    const Point middle = mesh.middle_of(mesh.boundary[at(e)].vertex);
+    bare[at(e)] =
+        (1.0 / size_of(along)) * (in_situ_stress(*setup.in_situ, middle) * clockwise(along));
+  }
+  const std::vector<std::uint8_t> kept = kept_edges(setup, mesh);
+  for (std::size_t e = 0; e < bare.size(); ++e) {
+    bare[e] = kept[e] != 0 ? Point{} : bare[e];
+  }
+  return bare;
+}
+
+/// Largest in-situ stress in the plane at the vertices of the rock, Pa.
+double largest_stress(const InSitu& in_situ, const mesh::Mesh& mesh) {
+  double largest = 0.0;
+  for (const Point& p : mesh.vertex) {
+    const Tensor s = in_situ_stress(in_situ, p);
+    const double radius = std::hypot(0.5 * (s.xx - s.yy), s.xy);
+    largest = std::max(largest, std::abs(0.5 * (s.xx + s.yy)) + radius);
+  }
+  return largest;
+}
+
+/// Names of the curves with an edge of those that are told of, in quotes.
+std::vector<std::string> curves_of(const mesh::Mesh& mesh, const std::vector<std::uint8_t>& told) {
+  std::vector<std::string> names;
+  for (const auto& [name, curve] : mesh.curves) {
+    if (std::any_of(curve.boundary.begin(), curve.boundary.end(),
+                    [&](Index e) { return told[at(e)] != 0; })) {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+// Rock that nothing holds at all is the matter of a warning of the case file.
+std::string edge_warning(const Setup& setup, const mechanics::Model& model, double stress) {
+  const mesh::Mesh& mesh = model.mesh;
+  const std::vector<Point> bare = bare_tractions(setup, model);
+  std::vector<std::uint8_t> told(bare.size(), 0);
+  double length = 0.0;
+  Index worst = mesh::none;
+  for (Index e = 0; e < edges_of(mesh); ++e) {
+    if (size_of(bare[at(e)]) > much_at_edges * stress) {
+      told[at(e)] = 1;
+      length += size_of(along_edge(mesh, e));
+      worst = worst == mesh::none || size_of(bare[at(e)]) > size_of(bare[at(worst)]) ? e : worst;
+    }
+  }
+  if (worst == mesh::none ||
+      std::none_of(told.begin(), told.end(), [](std::uint8_t of) { return of == 0; })) {
+    return {};
+  }
+  const Point p = mesh.middle_of(mesh.boundary[at(worst)].vertex);
+  const std::vector<std::string> names = curves_of(mesh, told);
+  return fmt::format(
+      "in-situ stress ends at {:.4g} m of edges that do not hold it{}: up to {}, at ({:g}, {:g}). "
+      "The rock springs out there when the run starts. A boundary with in_situ = true or a "
+      "pressure holds it; an excavation lets it go slowly",
+      length, names.empty() ? "" : " (" + quoted_list(names) + ")",
+      pressure_text(size_of(bare[at(worst)])), p.x, p.y);
+}
+
+std::string weight_warning(const Setup& setup, const mesh::Mesh& mesh, double stress) {
+  double density = 0.0;
+  for (const auto& [name, material] : setup.material) {
+    density = std::max(density, material.solid.density);
+  }
+  const auto [low, high] =
+      std::minmax_element(mesh.vertex.begin(), mesh.vertex.end(),
+                          [](const Point& a, const Point& b) { return a.y < b.y; });
+  const double height = high->y - low->y;
+  const double weight = density * setup.model.gravity;
+  const double left = std::abs(weight - setup.in_situ->gradient_yy);
+  constexpr double about = 0.2;  // what fluid in the pores adds to the density, among other things
+  if (left <= about * weight || left * height <= much_of_weight * stress) {
+    return {};
+  }
+  return fmt::format(
+      "the in-situ stress does not carry the weight of the rock: over the {:.4g} m of its height "
+      "gravity adds {} and in_situ.gradient_yy {}. The rock settles when the run starts. "
+      "gradient_yy = {:.5g} (Pa/m) carries it; model.gravity = 0 leaves weight out",
+      height, pressure_text(weight * height), pressure_text(setup.in_situ->gradient_yy * height),
+      weight);
+}
+
+}  // namespace
+
+std::vector<std::string> start_balance_warnings(const Setup& setup, const mechanics::Model& model) {
+  std::vector<std::string> warnings;
+  const double stress = setup.in_situ ? largest_stress(*setup.in_situ, model.mesh) : 0.0;
+  if (stress == 0.0) {
+    return warnings;
+  }
+  if (setup.body.empty()) {
+    warnings.push_back(edge_warning(setup, model, stress));
+  }
+  if (setup.model.gravity != 0.0) {
+    warnings.push_back(weight_warning(setup, model.mesh, stress));
+  }
+  std::erase(warnings, std::string());
+  return warnings;
+}
+
+}  // namespace percolith::simulation

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include "unit/support/solid_setup.hpp"
+
+namespace percolith::simulation {
+namespace {
+
+using testing::Contains;
+using testing::Each;
+using testing::HasSubstr;
+using testing::Not;
+
+const test::Grid block{.columns = 4, .rows = 4, .width = 20.0, .height = 10.0};
+
+/// A block under stress, which `held` sides carry on.
+simulation::Setup pressed(const std::vector<std::string>& held) {
+  simulation::Setup setup = test::solid_setup();
+  setup.in_situ = InSitu{.stress_xx = -8e6, .stress_yy = -12e6};
+  for (const std::string& side : held) {
+    setup.boundary[side] = test::on(side);
+    setup.boundary[side].in_situ = true;
+  }
+  return setup;
+}
+
+std::vector<std::string> warnings_of(const Setup& setup) {
+  return Simulation(setup, test::make_grid(block)).check().warnings;
+}
+
+TEST(StartBalance, EdgesThatDoNotHoldTheInSituStressAreToldOf) {
+  EXPECT_THAT(warnings_of(pressed({"left", "right"})),
+              Contains(HasSubstr("in-situ stress ends at 40 m of edges that do not hold it "
+                                 "(\"bottom\", \"top\"): up to 12 MPa, at (2.5, 0). The rock "
+                                 "springs out there when the run starts.")));
+  EXPECT_THAT(warnings_of(pressed({"left", "right", "top"})),
+              Contains(HasSubstr("ends at 20 m of edges that do not hold it (\"bottom\")")));
+  EXPECT_THAT(warnings_of(pressed({"left", "right", "top", "bottom"})),
+              Each(Not(HasSubstr("in-situ"))));
+}
+
+TEST(StartBalance, LoadsHoldAndAbsorbingEdgesGiveWay) {
+  simulation::Setup setup = pressed({"left", "right", "top"});
+  setup.boundary["bottom"] = test::on("bottom");
+  setup.boundary["bottom"].absorbing = true;
+  EXPECT_THAT(warnings_of(setup), Contains(HasSubstr("ends at 20 m")));
+  setup.boundary["bottom"].absorbing = false;
+  setup.boundary["bottom"].traction_y = Schedule::constant(12e6);
+  EXPECT_THAT(warnings_of(setup), Each(Not(HasSubstr("in-situ"))));
+}
+
+TEST(StartBalance, FreeGroundBearsNoStressThatVanishesThere) {
+  simulation::Setup setup = pressed({"left", "right", "bottom"});
+  setup.in_situ = InSitu{.gradient_xx = 1e4, .gradient_yy = 25e3, .datum = 10.0};
+  EXPECT_THAT(warnings_of(setup), Each(Not(HasSubstr("in-situ"))));
+}
+
+TEST(StartBalance, RockThatIsTakenOutNeedsNoHold) {
+  simulation::Setup setup = pressed({"left", "right", "top"});
+  setup.excavation["all"].regions = {"rock"};
+  EXPECT_THAT(warnings_of(setup), Each(Not(HasSubstr("ends at"))));
+}
+
+TEST(StartBalance, WeightThatTheStressDoesNotCarryIsToldOf) {
+  simulation::Setup setup = pressed({"left", "right", "top", "bottom"});
+  setup.model.gravity = 10.0;  // 250 kPa over the height against 12 MPa: little
+  EXPECT_THAT(warnings_of(setup), Each(Not(HasSubstr("weight"))));
+  setup.in_situ->stress_yy = -2e6;
+  setup.in_situ->stress_xx = -1e6;
+  EXPECT_THAT(warnings_of(setup),
+              Contains("the in-situ stress does not carry the weight of the rock: over the 10 m of "
+                       "its height gravity adds 250 kPa and in_situ.gradient_yy 0 Pa. The rock "
+                       "settles when the run starts. gradient_yy = 25000 (Pa/m) carries it; "
+                       "model.gravity = 0 leaves weight out"));
+  setup.in_situ->gradient_yy = 22e3;
+  EXPECT_THAT(warnings_of(setup), Each(Not(HasSubstr("weight"))));
+  setup.in_situ->gradient_yy = -25e3;
+  EXPECT_THAT(warnings_of(setup), Contains(HasSubstr("weight")));
+}
+
+}  // namespace
+}  // namespace percolith::simulation
