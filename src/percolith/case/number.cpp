@@ -46,11 +46,11 @@ std::optional<Raw> raw_number(const Node& node, const std::string& key, const Qu
 }
 
 /// What is wrong with a number out of its bounds. Angles without a unit are mostly meant in
-/// degrees, shares above one in percent.
+/// degrees, shares of two and more in percent.
 std::string out_of_range(const Node& node, const Quantity& quantity, double number,
                          std::string_view unit) {
   const bool is_plain = node.text() == nullptr && unit.empty();
-  if (quantity.unit == "1" && is_plain && number > 1.0 &&
+  if (quantity.unit == "1" && is_plain && number >= 2.0 &&
       quantity.bounds.contains(number / 100.0)) {
     return fmt::format("out of range: it is a share of one; percent are written \"{:g} %\"",
                        number);

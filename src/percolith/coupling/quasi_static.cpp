@@ -386,6 +386,20 @@ double QuasiStatic::unbalanced_ratio() const {
   return force > 0.0 ? model_->rock.model().energy.unbalanced / force : 0.0;
 }
 
+Doing QuasiStatic::doing() const {
+  const auto broke = static_cast<std::int64_t>(changes_.broke.size());
+  switch (pace_) {
+  case Pace::pulling:
+    break;
+  case Pace::swinging:
+  case Pace::settling:
+    return {"damped motion to rest", time_, broke};
+  case Pace::following:
+    return {"cracks run", time_, broke};
+  }
+  return {"fluid and rock settle", time_, broke};
+}
+
 bool QuasiStatic::is_asked_to_stop() {
   gave_up_ = gave_up_ || (stop_ && stop_());
   return gave_up_;

@@ -33,6 +33,7 @@ public:
   /// One step, or as many shorter ones as it takes.
   mechanics::Changes advance(double dt, Execution& execution) override;
   void listen(const std::function<bool()>& stop) override { stop_ = stop; }
+  [[nodiscard]] Doing doing() const override;
   [[nodiscard]] bool gave_up() const override { return gave_up_; }
   void network_changed() override;
   void describe_state(StateArchive& archive) override;

@@ -3,6 +3,7 @@
 
 #include "percolith/core/archive.hpp"
 #include "percolith/coupling/coupled_model.hpp"
+#include "percolith/coupling/doing.hpp"
 
 #include <functional>
 
@@ -21,6 +22,8 @@ public:
   virtual mechanics::Changes advance(double dt, Execution& execution) = 0;
   /// A scheme whose steps take long asks `stop` on the way and gives the step up where it says so.
   virtual void listen(const std::function<bool()>& /*stop*/) {}
+  /// To be asked from `stop`.
+  [[nodiscard]] virtual Doing doing() const { return {}; }
   /// Whether the last step was given up: everything is as it was before it.
   [[nodiscard]] virtual bool gave_up() const { return false; }
   /// To be called when conditions have been added since the last step.

@@ -165,6 +165,7 @@ protected:
     return changes;
   }
   void listen(const std::function<bool()>& stop) override { scheme_->listen(stop); }
+  [[nodiscard]] coupling::Doing doing() const override { return scheme_->doing(); }
   [[nodiscard]] bool gave_up() const override { return scheme_->gave_up(); }
   /// A quasi-static step goes far.
   [[nodiscard]] std::int64_t steps_between_checks() const override {

@@ -273,16 +273,14 @@ void SolidTask::make_and_report_step(Observer& observer, const std::function<boo
 Reached SolidTask::advance(Observer& observer, const std::function<bool()>& stop,
                            const Pause& pause) {
   const PauseClock wait(pause, run_.summary.steps);
-  double begun = time();
-  // Within a long step nothing has happened yet but its iterations.
   listen([&] {
-    observer.on_progress({begun, run_.setup.time.end, size_, run_.summary.steps, iterations(),
-                          "fluid and rock settle", run_.broken.count});
+    const coupling::Doing now = doing();
+    observer.on_progress({now.time, run_.setup.time.end, size_, run_.summary.steps, iterations(),
+                          now.what, run_.broken.count + now.broke});
     return stop();
   });
   last_.stopped = false;
   while (!is_over() && !last_.stopped && !wait.over(time(), run_.summary.steps, last_.frame)) {
-    begun = time();
     make_and_report_step(observer, stop);
   }
   listen({});

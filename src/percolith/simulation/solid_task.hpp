@@ -2,6 +2,7 @@
 #pragma once
 
 #include "percolith/core/archive.hpp"
+#include "percolith/coupling/doing.hpp"
 #include "percolith/simulation/checkpoints.hpp"
 #include "percolith/simulation/event_clock.hpp"
 #include "percolith/simulation/solid_run.hpp"
@@ -55,6 +56,8 @@ protected:
   virtual mechanics::Changes move(double dt) { return run_.dynamics.advance(dt, run_.execution); }
   /// A step that takes long may ask `stop` on its way and give up, which leaves all as it was.
   virtual void listen(const std::function<bool()>& /*stop*/) {}
+  /// What a step is at, to be asked from `stop`.
+  [[nodiscard]] virtual coupling::Doing doing() const { return {}; }
   [[nodiscard]] virtual bool gave_up() const { return false; }
   /// Steps after which the state is looked at for values that are none.
   [[nodiscard]] virtual std::int64_t steps_between_checks() const { return 200; }

@@ -54,6 +54,20 @@ TEST(Units, RefusesAnotherDimension) {
             "the unit \"s since 2000-01-01\" holds a number that is not an exponent");
 }
 
+TEST(Units, LettersOfTheWrongCaseAreGuessed) {
+  EXPECT_EQ(reason("md", "m2"), "the unit \"md\" is not one of permeability; did you mean \"MD\" or \"mD\"");
+  EXPECT_EQ(reason("cp", "Pa s"), "unknown unit \"cp\"; did you mean \"cP\"");
+  EXPECT_EQ(reason("mpa", "Pa"), "unknown unit \"mpa\"; did you mean \"MPa\" or \"mPa\"");
+  EXPECT_EQ(reason("S", "s"), "the unit \"S\" is not one of time; did you mean \"s\"");
+  EXPECT_EQ(reason("newfathoms", "m"), "unknown unit \"newfathoms\"");
+}
+
+TEST(Units, AToughnessInPlaceOfAnEnergyIsNamed) {
+  EXPECT_EQ(reason("MPa m^0.5", "J/m2"),
+            "the unit \"MPa m^0.5\" has a fractional exponent or factor; of a toughness K the "
+            "energy is K^2 (1 - nu^2)/E in plane strain");
+}
+
 TEST(Units, RefusesUnitsThatWouldBeMisread) {
   const std::string fractional = "has a fractional exponent or factor";
   EXPECT_EQ(reason("m^0.5", "m"), "the unit \"m^0.5\" " + fractional);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 
 #include "unit/support/solid_setup.hpp"
@@ -143,6 +144,43 @@ TEST(CoupledRuns, ABlockUnderInSituStressOnAllSidesIsHeldInPlace) {
        {"held_in_place.reaction_x_N_per_m", "held_in_place.reaction_y_N_per_m"}) {
     EXPECT_LT(std::abs(value_of(last.mechanics, reaction)), 1e-4 * 12e6) << reaction;
   }
+}
+
+/// A slow step that breaks rock takes long: what is at work, how far and with how many cracks is
+/// told while it lasts.
+TEST(CoupledRuns, ProgressTellsWhatALongStepIsAt) {
+  simulation::Setup setup = pumped_to_break(10.0);
+  setup.damping = {};
+  Material& rock = setup.material["sandstone"];
+  rock.rock.permeability = {1e-18, 1e-18, 0.0};
+  rock.strength.tensile_strength = 1e5;
+  setup.new_cracks->fracture.exchange = 1e-13;
+  setup.source["pump"].rate = Schedule::constant(2e-5);
+  setup.boundary["rim"].groups = {"left", "right", "bottom", "top"};
+  setup.time.scheme = Scheme::quasi_static;
+  setup.time.end = 30.0;
+  setup.time.step = 30.0;
+  setup.time.tolerance = 1e-2;
+  setup.time.balance_tolerance = 1e-2;
+  test::SolidRecorder recorder;
+  (void)test::run(setup, notched_block(), recorder);
+  ASSERT_FALSE(recorder.events.empty());
+  std::set<std::string> deeds;
+  std::int64_t most = 0;
+  double latest = 0.0;
+  for (const Progress& progress : recorder.progress) {
+    if (progress.step == 0) {
+      deeds.insert(progress.limited_by);
+      most = std::max(most, progress.broken_joints.value_or(0));
+      EXPECT_GE(progress.time, 0.0);
+      EXPECT_LT(progress.time, 30.0);
+      latest = std::max(latest, progress.time);
+    }
+  }
+  EXPECT_EQ(deeds, (std::set<std::string>{"cracks run", "damped motion to rest",
+                                          "fluid and rock settle"}));
+  EXPECT_GE(most, std::ssize(recorder.events));
+  EXPECT_GT(latest, 0.0);
 }
 
 /// A probe along the way of a crack reads dry rock until the crack has come, and the crack then.
