@@ -45,6 +45,12 @@ void bind_reports(nb::module_& module) {
       .def_ro("crack_nodes", &CheckReport::crack_nodes, "Number of open crack nodes.")
       .def_ro("unknowns", &CheckReport::unknowns, "Unknowns of an implicit step.")
       .def_ro("area", &CheckReport::area, docs::CheckReport_area)
+      .def_prop_ro(
+          "lower_corner", [](const CheckReport& report) { return place_of(report.lower_corner); },
+          docs::CheckReport_lower_corner)
+      .def_prop_ro(
+          "upper_corner", [](const CheckReport& report) { return place_of(report.upper_corner); },
+          docs::CheckReport_upper_corner)
       .def_ro("smallest_edge", &CheckReport::smallest_edge, docs::CheckReport_smallest_edge)
       .def_ro("largest_edge", &CheckReport::largest_edge, docs::CheckReport_largest_edge)
       .def_ro("smallest_angle", &CheckReport::smallest_angle, docs::CheckReport_smallest_angle)

@@ -17,10 +17,12 @@ std::string mesh_text(const simulation::CheckReport& report) {
       "  triangles       {:>10}    vertices        {:>10}\n"
       "  joints          {:>10}    broken joints   {:>10}\n"
       "  boundary edges  {:>10}\n"
+      "  extent          x {:.5g} to {:.5g} m, y {:.5g} to {:.5g} m\n"
       "  area            {:>10.5g} m2\n"
       "  edges           {:.4g} to {:.4g} m\n"
       "  angles          {:.1f} to {:.1f} degree, smallest at ({:.5g}, {:.5g}) m\n",
       report.triangles, report.vertices, report.joints, report.broken_joints, report.boundary_edges,
+      report.lower_corner.x, report.upper_corner.x, report.lower_corner.y, report.upper_corner.y,
       report.area, report.smallest_edge, report.largest_edge, report.smallest_angle,
       report.largest_angle, report.smallest_angle_place.x, report.smallest_angle_place.y);
   for (const auto& [region, area] : report.region_area) {

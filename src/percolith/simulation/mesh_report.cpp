@@ -26,8 +26,17 @@ void describe_mesh(const mesh::Mesh& mesh, CheckReport& report) {
   report.vertices = mesh.vertices();
   report.joints = mesh.joints();
   report.boundary_edges = static_cast<std::int64_t>(mesh.boundary.size());
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  report.lower_corner = {infinity, infinity};
+  report.upper_corner = {-infinity, -infinity};
+  for (const Point& p : mesh.vertex) {
+    report.lower_corner = {std::min(report.lower_corner.x, p.x),
+                           std::min(report.lower_corner.y, p.y)};
+    report.upper_corner = {std::max(report.upper_corner.x, p.x),
+                           std::max(report.upper_corner.y, p.y)};
+  }
   report.smallest_angle = 180.0;
-  report.smallest_edge = std::numeric_limits<double>::infinity();
+  report.smallest_edge = infinity;
   for (Index t = 0; t < mesh.triangles(); ++t) {
     const auto p = mesh.triangle_points(t);
     report.area += mesh.area(t);

@@ -231,6 +231,7 @@ struct CheckReport {
   std::int64_t triangles = 0, vertices = 0, joints = 0, broken_joints = 0, boundary_edges = 0;
   std::int64_t pore_nodes = 0, crack_nodes = 0, unknowns = 0;
   double area = 0.0;                                       ///< m2
+  Point lower_corner, upper_corner;                        ///< m, of the box round the rock
   double smallest_edge = 0.0, largest_edge = 0.0;          ///< m
   double smallest_angle = 0.0, largest_angle = 0.0;        ///< degree
   Point smallest_angle_place;                              ///< m

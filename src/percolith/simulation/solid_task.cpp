@@ -70,6 +70,29 @@ std::map<std::string, Probe> probes_in_rock(const Setup& setup) {
   return probes;
 }
 
+/// Of motion in steps of `step` (s) that would take far longer than it must, or than anyone waits.
+void warn_of_steps(SolidRun& run, double step) {
+  constexpr double many_times = 100.0;
+  constexpr double very_many = 1e9;
+  const Setup& setup = run.setup;
+  if (setup.model.physics == Physics::mechanics && setup.time.step && !run.limits.empty()) {
+    const double stable = setup.time.safety * run.limits.back().step;
+    if (many_times * *setup.time.step < stable) {
+      run.summary.warnings.push_back(fmt::format(
+          "time.step = {:g} s is {:.3g} times shorter than the {:.3g} s that are stable, and the "
+          "run takes as many times longer. Without time.step the run takes the stable step",
+          *setup.time.step, stable / *setup.time.step, stable));
+    }
+  }
+  if (setup.time.end > very_many * step) {
+    run.summary.warnings.push_back(fmt::format(
+        "time.end = {:g} s takes {:.2g} steps of {:.3g} s, years of computing. Motion is for what "
+        "lasts as long as waves in the rock take; for slow injection take time.scheme = "
+        "\"quasi_static\"",
+        setup.time.end, setup.time.end / step, step));
+  }
+}
+
 }  // namespace
 
 SolidRun make_solid_run(const Setup& setup, SolidStart start) {
@@ -100,13 +123,8 @@ SolidTask::SolidTask(const Setup& setup, SolidRun run)
     : run_(std::move(run)), clock_(setup.output, setup.time.end),
       history_(setup.output.history_interval.value_or(setup.time.end / 1000.0)) {
   step_ = solid_step(run_);
-  constexpr double very_many = 1e9;
-  if (setup.time.scheme != Scheme::quasi_static && setup.time.end > very_many * step_) {
-    run_.summary.warnings.push_back(fmt::format(
-        "time.end = {:g} s takes {:.2g} steps of {:.3g} s, years of computing. Motion is for what "
-        "lasts as long as waves in the rock take; for slow injection take time.scheme = "
-        "\"quasi_static\"",
-        setup.time.end, setup.time.end / step_, step_));
+  if (setup.time.scheme != Scheme::quasi_static) {
+    warn_of_steps(run_, step_);
   }
   for (const auto& [name, excavation] : setup.excavation) {
     diggings_.push_back({name, excavation.start, excavation.duration,

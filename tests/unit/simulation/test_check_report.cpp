@@ -26,6 +26,10 @@ TEST(CheckReport, CountsAndMeasuresTheModel) {
   EXPECT_EQ(report.pore_nodes, 81 + 3 + 4 + 5);
   EXPECT_EQ(report.unknowns, report.pore_nodes + report.crack_nodes - 18);
   EXPECT_NEAR(report.area, 1.0, 1e-13);
+  EXPECT_EQ(report.lower_corner.x, 0.0);
+  EXPECT_EQ(report.lower_corner.y, 0.0);
+  EXPECT_EQ(report.upper_corner.x, 1.0);
+  EXPECT_EQ(report.upper_corner.y, 1.0);
   EXPECT_NEAR(report.region_area.at("rock"), 1.0, 1e-13);
   EXPECT_NEAR(report.smallest_edge, 0.125, 1e-14);
   EXPECT_NEAR(report.largest_edge, 0.125 * std::sqrt(2.0), 1e-14);

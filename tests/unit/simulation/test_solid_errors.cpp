@@ -147,6 +147,17 @@ TEST(SolidErrors, RunsThatWouldTakeYearsAreToldOf) {
                             "rock take; for slow injection take time.scheme = \"quasi_static\""));
 }
 
+TEST(SolidErrors, StepsThatAreFarTooShortAreToldOf) {
+  simulation::Setup setup = test::solid_setup();
+  const double stable =
+      setup.time.safety * Simulation(setup, test::plain_mesh()).check().limits.back().step;
+  const std::string text = "times shorter than the";
+  setup.time.step = 0.02 * stable;
+  EXPECT_FALSE(warns(Simulation(setup, test::plain_mesh()).check(), text));
+  setup.time.step = 0.004 * stable;
+  EXPECT_TRUE(warns(Simulation(setup, test::plain_mesh()).check(), "is 250 times shorter"));
+}
+
 /// Where only the joints of a straight fracture may break, they say nothing of the mesh.
 TEST(SolidErrors, AFractureIsNoLattice) {
   const test::Grid grid{.columns = 320, .rows = 2, .width = 32.0, .height = 0.2};
