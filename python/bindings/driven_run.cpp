@@ -28,7 +28,7 @@ Shown callable(const nb::object& function) {
 }
 
 runner::Console console_of(const Voice& voice) {
-  return {callable(voice.print), callable(voice.alert)};
+  return {.print = callable(voice.print), .alert = callable(voice.alert), .is_python = true};
 }
 
 double seconds_now() {

@@ -35,7 +35,9 @@ def test_ctrl_c_stops_after_the_present_step_and_keeps_the_results(strip, tmp_pa
     timer.join()
     assert outcome(tmp_path / "results") == ("interrupted", "SIGINT")
     assert (tmp_path / "results/checkpoint.bin").is_file()
-    assert "to go on: percolith run --resume" in capsys.readouterr().err
+    told = capsys.readouterr().err
+    folder = tmp_path / "results"
+    assert f'to go on: percolith.resume("{folder}"), or percolith run --resume {folder}' in told
 
 
 def test_a_program_that_is_interrupted_ends_at_once(strip, tmp_path):

@@ -12,6 +12,7 @@ struct Console {
   std::function<void(std::string_view)> alert;  ///< shows a line: a warning, or why a run stopped
   bool is_terminal = false;                     ///< whether a line can be drawn again in place
   int width = 80;                               ///< columns
+  bool is_python = false;                       ///< whether runs go on by a call of Python
 };
 
 }  // namespace percolith::runner

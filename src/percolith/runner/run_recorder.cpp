@@ -139,10 +139,13 @@ void RunRecorder::finish() {
 void RunRecorder::interrupt(const std::string& by) {
   write_summary(io::Outcome::interrupted, by);
   const std::string folder = directory_.path().string();
+  const std::string call = options_.console.is_python
+                               ? fmt::format("percolith.resume(\"{}\"), or ", folder)
+                               : std::string();
   const std::string text =
-      fmt::format("interrupted by {} at time {:.6g} s; results so far in {}; to go on: percolith "
+      fmt::format("interrupted by {} at time {:.6g} s; results so far in {}; to go on: {}percolith "
                   "run --resume {}",
-                  by, model_.simulation.summary().end_time, folder, folder);
+                  by, model_.simulation.summary().end_time, folder, call, folder);
   log_.information(text);
   progress_.clear();
   options_.console.alert(text);

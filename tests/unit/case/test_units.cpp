@@ -55,7 +55,8 @@ TEST(Units, RefusesAnotherDimension) {
 }
 
 TEST(Units, LettersOfTheWrongCaseAreGuessed) {
-  EXPECT_EQ(reason("md", "m2"), "the unit \"md\" is not one of permeability; did you mean \"MD\" or \"mD\"");
+  EXPECT_EQ(reason("md", "m2"),
+            "the unit \"md\" is not one of permeability; did you mean \"MD\" or \"mD\"");
   EXPECT_EQ(reason("cp", "Pa s"), "unknown unit \"cp\"; did you mean \"cP\"");
   EXPECT_EQ(reason("mpa", "Pa"), "unknown unit \"mpa\"; did you mean \"MPa\" or \"mPa\"");
   EXPECT_EQ(reason("S", "s"), "the unit \"S\" is not one of time; did you mean \"s\"");
