@@ -8,7 +8,6 @@
 #include <omp.h>
 
 #include <exception>
-#include <system_error>
 #include <utility>
 
 namespace percolith::runner {
@@ -34,13 +33,6 @@ void use_threads(std::optional<int> threads) {
   }
 }
 
-/// How results name what they are of.
-std::string name_of(const CaseSource& source) {
-  std::error_code ignored;
-  return source.text && !std::filesystem::exists(source.file, ignored) ? "a case without a file"
-                                                                       : source.file.string();
-}
-
 }  // namespace
 
 std::unique_ptr<CaseRun> CaseRun::start(const RunRequest& request, Console console) {
@@ -56,7 +48,7 @@ std::unique_ptr<CaseRun> CaseRun::start(const RunRequest& request, Console conso
   // Its parts refer to each other: it stays where it is.
   std::unique_ptr<CaseRun> run(new CaseRun(request.source, std::move(model), std::move(directory)));
   if (run->directory_) {
-    run->recorder_.emplace(*run->directory_, name_of(request.source), run->model_,
+    run->recorder_.emplace(*run->directory_, request.source.file.string(), run->model_,
                            RecorderOptions{request.quiet, std::move(console)});
   }
   return run;
