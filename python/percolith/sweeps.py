@@ -33,14 +33,13 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import IO, Any
 
-import numpy as np
-
 from percolith import errors
 from percolith.arguments import whole_number
 from percolith.case import Case, Options
 from percolith.errors import CaseError, CaseWarning, Error, FileError, Problem
 from percolith.run_directory import RunDirectory, Table
 from percolith.simulation import resume, start_run
+from percolith.sweep_table import table_of
 from percolith.toml_text import plain
 
 _PLAN = "sweep.json"
@@ -186,12 +185,12 @@ class Sweep:
     def table(self) -> Table:
         """A row a point: `point`, `state`, its options, and the numbers of its summary, those of
         mechanics and of the mass balance among them, and the rate of each condition at the end as
-        `boundary.left_m2_per_s`, called as in the history; NaN where there is none. The highest
-        pressure of a source in cracks is in `peak_pressures.source.pump.pressure_Pa`, reached at
-        `peak_pressures.source.pump.time_s`."""
-        rows = [_row(point) for point in self.points]
-        names = list(dict.fromkeys(name for row in rows for name in row))
-        return Table({name: _column([row.get(name) for row in rows]) for name in names})
+        `boundary.left_m2_per_s`, called as in the history; NaN where there is none. Options whose
+        values are numbers, or texts with a unit, are in SI, with the unit at the end of the name:
+        `source.pump.rate_m2_per_s`; those with other values among them are texts by their path. The
+        highest pressure of a source in cracks is in `peak_pressures.source.pump.pressure_Pa`,
+        reached at `peak_pressures.source.pump.time_s`."""
+        return table_of(self.points)
 
 
 def _run_elsewhere(folder: Path, number: int, threads: int,
@@ -269,27 +268,6 @@ def _named(error: Error, number: int) -> Error:
 def _is_at_work(error: Error) -> bool:
     """Whether a point could not be run because another process does."""
     return any("another run" in problem.reason for problem in getattr(error, "problems", ()))
-
-
-def _row(point: Point) -> dict[str, Any]:
-    row: dict[str, Any] = {"point": point.number, "state": point.state, **point.options}
-    if point.outcome:
-        summary = point.results().summary
-        parts = [summary, summary.get("mechanics", {}), summary.get("mass_balance", {})]
-        row |= {name: value for part in parts for name, value in part.items()
-                if isinstance(value, (int, float)) and not isinstance(value, bool)}
-        rates = summary.get("rate_m2_per_s", {})
-        row |= {f"{name}_m2_per_s": rate for name, rate in rates.items()}
-        peaks = summary.get("mechanics", {}).get("peak_pressures", {})
-        row |= {f"peak_pressures.{name}.{quantity}": value for name, peak in peaks.items()
-                for quantity, value in peak.items()}
-    return row
-
-
-def _column(values: list[Any]) -> np.ndarray:
-    if all(value is None or isinstance(value, (int, float)) for value in values):
-        return np.array([np.nan if value is None else value for value in values])
-    return np.array(["" if value is None else str(value) for value in values])
 
 
 def _points(options: Mapping[str, Sequence[Any]] | Sequence[Mapping[str, Any]]) -> list[dict]:
