@@ -39,6 +39,7 @@ from percolith.case import Case, Options
 from percolith.errors import CaseError, CaseWarning, Error, FileError, Problem
 from percolith.run_directory import RunDirectory, Table
 from percolith.simulation import resume, start_run
+from percolith.sweep_progress import SweepProgress, Tally, display
 from percolith.sweep_table import table_of
 from percolith.toml_text import plain
 
@@ -147,40 +148,61 @@ class Sweep:
                 point._note_failure(named)
             raise named from error
 
-    def run(self, *, processes: int | None = None, threads: int = 1) -> dict[int, Error]:
+    def run(self, *, processes: int | None = None, threads: int = 1,
+            progress: bool | Callable[[SweepProgress], object] | None = None) -> dict[int, Error]:
         """Runs all that is left, in so many processes of so many threads each; as many processes as
         there are processors for when None. Returns the errors of the points that failed, by their
         numbers; the others are run all the same. What a point warns of is a CaseWarning when it has
         ended, once for all that warn of the same. After Ctrl-C nothing new is begun, and the next
-        call goes on."""
+        call goes on.
+
+        progress: None shows how far it is in one line that is renewed as runs end, on a terminal
+        and in a notebook; True prints a line a run that ended, False nothing. A function is called
+        with a SweepProgress at the beginning and as runs end; what it raises ends the sweep as
+        Ctrl-C does."""
         try:
-            return self._run_left(processes, threads)
+            return self._run_left(processes, threads, progress)
         except KeyboardInterrupt:
             print(f"{self.folder}: ended by Ctrl-C; results and checkpoints are kept, and the same "
                   "lines go on with them", file=sys.stderr)
             raise
 
-    def _run_left(self, processes: int | None, threads: int) -> dict[int, Error]:
+    def _run_left(self, processes: int | None, threads: int,
+                  progress: bool | Callable[[SweepProgress], object] | None) -> dict[int, Error]:
         threads = whole_number("threads", threads, "number of threads")
         if processes is None:
             processes = max(1, len(os.sched_getaffinity(0)) // threads)
         processes = whole_number("processes", processes, "number of processes")
-        left = [point.number for point in self.points if point.state != "finished"]
+        shown, points = display(progress), self.points
+        left = [point.number for point in points if point.state != "finished"]
+        tally = Tally(len(points), len(points) - len(left), len(left), processes)
         working: set[subprocess.Popen] = set()
+
+        def work(number: int) -> tuple[int, Error | None, list[str]]:
+            tally.begin(number)
+            return number, *_run_elsewhere(self.folder, number, threads, working)
+
         with ThreadPoolExecutor(processes) as pool:
-            jobs = [pool.submit(_run_elsewhere, self.folder, number, threads, working)
-                    for number in left]
+            jobs = [pool.submit(work, number) for number in left]
             try:
+                shown.tell(tally.progress)
                 for job in as_completed(jobs):
-                    for text in _new(job.result()[1], self._warned):
+                    number, error, texts = job.result()
+                    tally.end(number, error is not None)
+                    for text in _new(texts, self._warned):
+                        shown.clear()
                         warnings.warn(text, CaseWarning, stacklevel=3)
+                    how = "finished" if error is None else "failed"
+                    shown.tell(tally.progress, f"point {number} {how}")
             except BaseException:
                 pool.shutdown(wait=False, cancel_futures=True)
                 for process in list(working):
                     process.send_signal(signal.SIGINT)
                 raise
-        ended = [job.result()[0] for job in jobs]
-        return {number: error for number, error in zip(left, ended) if error is not None}
+            finally:
+                shown.close()
+        return {number: error for number, error, _ in (job.result() for job in jobs)
+                if error is not None}
 
     def table(self) -> Table:
         """A row a point: `point`, `state`, its options, and the numbers of its summary, those of
@@ -373,6 +395,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--list", action="store_true", help="tell how far each point is")
     parser.add_argument("--processes", type=int, metavar="N", help="runs at once")
     parser.add_argument("--threads", type=int, default=None, metavar="N", help="of each run")
+    parser.add_argument("--progress", action="store_true", default=None,
+                        help="print a line for each run that ends; without, a terminal shows one "
+                        "line that is renewed")
     parser.add_argument("--errors", choices=("text", "json"), default="text",
                         help="how the error and the warnings of a point are told: as text, or to "
                         "the standard output as lines of JSON")
@@ -453,7 +478,8 @@ def _run(arguments: argparse.Namespace) -> int:
                 chosen.run_point(arguments.point, threads=arguments.threads)
             return 0
         threads = 1 if arguments.threads is None else arguments.threads
-        failed = chosen._run_left(arguments.processes, threads)  # main tells of an end by a signal
+        # Not `run`: main tells of an end by a signal.
+        failed = chosen._run_left(arguments.processes, threads, arguments.progress)
     except Error as error:
         _tell(error, arguments)
         return 2
