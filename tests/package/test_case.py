@@ -149,6 +149,17 @@ def test_check_warns_of_the_model(program):
     assert repr(report).startswith("CheckReport(15202 triangles, 22651 joints, 12 of them broken; ")
 
 
+def test_check_tells_of_mechanics_by_name(mechanics, strip):
+    report = mechanics.check()
+    assert isinstance(report.mechanics, dict)
+    assert report.mechanics["bodies (parts that hang together)"] == 1
+    assert 3.0 < report.mechanics["smallest cohesive length over element size"] < 3.1
+    limit = report.limits[0]
+    assert repr(limit) == (f"StepLimit('contact', {limit.step:g} s at ({limit.place[0]:g}, "
+                           f"{limit.place[1]:g}) m)")
+    assert strip.check().mechanics == {}
+
+
 def test_options_are_described_from_their_declarations():
     option = percolith.describe("material.granite.young_modulus")
     assert option.path == "material.*.young_modulus" and option.unit == "Pa"
