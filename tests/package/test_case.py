@@ -134,6 +134,21 @@ def test_a_saved_case_is_the_same_case(strip, tmp_path):
         assert one.state_hash == other.state_hash
 
 
+def test_results_tell_where_the_case_comes_from(strip, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    strip["mesh.file"] = strip.file.parent / strip["mesh.file"]
+    for made in (percolith.Case(strip.to_dict()), percolith.Case.from_toml(strip.to_toml())):
+        run = made.run(force=True)
+        assert run.path.name == "case.results"
+        assert run.summary["case_file"] == "case built in Python"
+        assert ") runs case built in Python on " in (run.path / "run.log").read_text()
+        with pytest.raises(percolith.CaseError, match="case built in Python"):
+            percolith.Case.from_toml("wrong")
+    strip.save("own.toml")
+    run = percolith.Case.load("own.toml").run()
+    assert run.path.name == "own.results" and run.summary["case_file"] == "own.toml"
+
+
 def test_check_tells_what_the_model_is(strip):
     report = strip.check()
     assert report.triangles == 172
