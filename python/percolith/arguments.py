@@ -30,6 +30,13 @@ def in_python(text: str) -> str:
     return text
 
 
+def with_resume(text: str) -> str:
+    """How a run that was interrupted says to go on, with the way from Python before that of the
+    command line."""
+    return re.sub(r"to go on: (percolith run --resume (.+))$",
+                  lambda told: f"to go on: percolith.resume({told[2]!r}), or {told[1]}", text)
+
+
 @contextmanager
 def python_words() -> Iterator[None]:
     """Errors that pass through name arguments for options."""

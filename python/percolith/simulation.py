@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from percolith import _core
-from percolith.arguments import in_python, numbers, python_words, whole_number
+from percolith.arguments import in_python, numbers, python_words, whole_number, with_resume
 from percolith.errors import CaseError, CaseWarning
 from percolith.lent_memory import lend, take_back
 from percolith.options import describe
@@ -40,7 +40,7 @@ def _alert(line: str) -> None:
     if "warning: " in line:
         warnings.warn(in_python(line), CaseWarning, stacklevel=4)
     else:
-        print(line, file=sys.stderr)
+        print(with_resume(line), file=sys.stderr)
 
 
 def start_run(source: Mapping[str, Any], output: str | os.PathLike | None = None, *,

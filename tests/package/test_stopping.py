@@ -35,7 +35,9 @@ def test_ctrl_c_stops_after_the_present_step_and_keeps_the_results(strip, tmp_pa
     timer.join()
     assert outcome(tmp_path / "results") == ("interrupted", "SIGINT")
     assert (tmp_path / "results/checkpoint.bin").is_file()
-    assert "to go on: percolith run --resume" in capsys.readouterr().err
+    folder = tmp_path / "results"
+    assert (f"to go on: percolith.resume({str(folder)!r}), or percolith run --resume {folder}\n"
+            in capsys.readouterr().err)
 
 
 def test_a_program_that_is_interrupted_ends_at_once(strip, tmp_path):
@@ -54,11 +56,13 @@ def test_a_program_that_is_interrupted_ends_at_once(strip, tmp_path):
 
 
 @pytest.mark.parametrize("name", ["strip", "coupled", "mechanics"])
-def test_a_run_that_was_closed_goes_on_to_the_same_bits(name, tmp_path, request):
+def test_a_run_that_was_closed_goes_on_to_the_same_bits(name, tmp_path, request, capsys):
     case = request.getfixturevalue(name)
     case.run(tmp_path / "whole")
     with case.simulation(tmp_path / "parts") as simulation:
         simulation.advance(steps=8)
+    told = capsys.readouterr().err
+    assert f"percolith.resume({str(tmp_path / 'parts')!r})" in told
     assert outcome(tmp_path / "parts")[0] == "interrupted"
     run = percolith.resume(tmp_path / "parts")
     assert results(tmp_path / "parts") == results(tmp_path / "whole")
