@@ -58,6 +58,12 @@ def lighter(png: str) -> str:
     return base64.b64encode(file.getvalue()).decode()
 
 
+def shown(text: str) -> str:
+    """What a screen is left with of lines that were written over."""
+    return "\n".join(line.rstrip("\r").rpartition("\r")[2].rstrip() if "\r" in line else line
+                     for line in text.split("\n"))
+
+
 def joined(outputs: list) -> list:
     """The same with what was printed one after the other in one piece."""
     kept: list = []
@@ -76,6 +82,9 @@ def tidy(notebook: nbformat.NotebookNode) -> nbformat.NotebookNode:
         cell.metadata = nbformat.from_dict({})
         if "outputs" in cell:
             cell.outputs = joined(cell.outputs)
+        for output in cell.get("outputs", []):
+            if output.output_type == "stream":
+                output.text = shown(output.text)
         for output in cell.get("outputs", []):
             data = output.get("data", {})
             if "image/png" in data:

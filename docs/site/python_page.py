@@ -11,7 +11,7 @@ from site_map import ROOT
 WITH_BASES = {"RunDirectory"}
 GROUPS = {
     "Cases": ["Case", "describe", "option_names", "Option", "quantity"],
-    "Runs": ["Simulation", "resume", "sweep", "Sweep"],
+    "Runs": ["Simulation", "resume", "sweep", "Sweep", "SweepProgress"],
     "Results": ["open_run", "RunDirectory", "Frame", "Table", "Grid", "read_vtu", "report"],
     "Errors": ["Error", "CaseError", "CaseWarning", "Problem", "SolverError", "FileError",
                "MeshError", "RunDirectoryError", "VtuError"],

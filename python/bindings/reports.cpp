@@ -23,6 +23,16 @@ std::pair<double, double> place_of(const Point& point) {
   return {point.x, point.y};
 }
 
+/// The numbers about mechanics by their names, in the order that `percolith check` has.
+nb::dict mechanics_of(const CheckReport& report) {
+  nb::dict named;
+  for (const auto& [name, value] : report.mechanics) {
+    const nb::str key(name.data(), name.size());
+    named[key] = nb::cast(value);
+  }
+  return named;
+}
+
 }  // namespace
 
 void bind_reports(nb::module_& module) {
@@ -33,7 +43,8 @@ void bind_reports(nb::module_& module) {
           "place", [](const StepLimit& limit) { return place_of(limit.place); },
           docs::StepLimit_place)
       .def("__repr__", [](const StepLimit& limit) {
-        return nb::str("StepLimit({!r}, {:g} s)").format(limit.mechanism, limit.step);
+        return nb::str("StepLimit({!r}, {:g} s at ({:g}, {:g}) m)")
+            .format(limit.mechanism, limit.step, limit.place.x, limit.place.y);
       });
   nb::class_<CheckReport>(module, "CheckReport", docs::CheckReport)
       .def_ro("triangles", &CheckReport::triangles, "Number of triangles.")
@@ -64,7 +75,9 @@ void bind_reports(nb::module_& module) {
       .def_ro("fracture_length_by_group", &CheckReport::fracture_length_by_group,
               docs::CheckReport_fracture_length_by_group)
       .def_ro("limits", &CheckReport::limits, docs::CheckReport_limits)
-      .def_ro("mechanics", &CheckReport::mechanics, docs::CheckReport_mechanics)
+      .def_prop_ro("mechanics", &mechanics_of,
+                   nb::for_getter(nb::sig("def mechanics(self) -> dict[str, float | int]")),
+                   docs::CheckReport_mechanics)
       .def_ro("warnings", &CheckReport::warnings, "Warnings about the model.")
       .def("__repr__", [](const CheckReport& report) {
         const std::string limit =

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from percolith.options import Option, describe, option_names
     from percolith.reports import report
     from percolith.simulation import Simulation, quantity, resume
+    from percolith.sweep_progress import SweepProgress
     from percolith.sweeps import Sweep, sweep
 
     __version__: str
@@ -36,13 +37,13 @@ if TYPE_CHECKING:
 _LATER = {
     "Case": "case", "Simulation": "simulation", "resume": "simulation", "quantity": "simulation",
     "Option": "options", "describe": "options", "option_names": "options",
-    "Sweep": "sweeps", "sweep": "sweeps",
+    "Sweep": "sweeps", "SweepProgress": "sweep_progress", "sweep": "sweeps",
 }
 
 __all__ = [
     "Case", "CaseError", "CaseWarning", "Error", "FileError", "Frame", "Grid", "MeshError",
     "Option", "Problem", "RunDirectory", "RunDirectoryError", "Simulation", "SolverError", "Sweep",
-    "Table", "VtuError", "__version__", "describe", "mesh", "open_run", "option_names", "quantity",
+    "SweepProgress", "Table", "VtuError", "__version__", "describe", "mesh", "open_run", "option_names", "quantity",
     "read_vtu", "report", "resume", "sweep",
 ]
 

@@ -18,6 +18,10 @@ from percolith.run_directory import RunDirectory
 from percolith.simulation import Simulation, start_run
 from percolith.toml_text import document, inline, plain
 
+# Stands for the file of a case that comes from none, in messages, in the log and in the summary.
+_MADE_HERE = "case built in Python"
+
+
 class Options(MutableMapping[str, Any]):
     """Options by name, or by dotted path from here. What is set goes into the case."""
 
@@ -79,7 +83,7 @@ class Case(Options):
                  directory: str | os.PathLike = "."):
         """A case of the options given, with nothing else; `format` need not be among them. Files
         that options name are relative to `directory`."""
-        self._start(Path(directory) / "case", "format = 1\n")
+        self._start(Path(directory) / _MADE_HERE, "format = 1\n")
         for key, value in (options or {}).items():
             self[key] = value
 
@@ -98,9 +102,9 @@ class Case(Options):
 
     @classmethod
     def from_toml(cls, text: str, *, directory: str | os.PathLike = ".") -> Case:
-        """A case from the text of a case file."""
+        """A case from the text of a case file. Files that it names are relative to `directory`."""
         case = cls.__new__(cls)
-        case._start(Path(directory) / "case.toml", text)
+        case._start(Path(directory) / _MADE_HERE, text)
         return case
 
     def _start(self, file: Path, text: str) -> None:
@@ -116,7 +120,8 @@ class Case(Options):
 
     @property
     def file(self) -> Path:
-        """The file that messages name; files that options name are relative to its folder."""
+        """The file that messages name, `case built in Python` where there is none; files that
+        options name are relative to its folder."""
         return self._file
 
     def copy(self) -> Case:
@@ -219,12 +224,13 @@ class Case(Options):
             threads: int | None = None, progress: bool = False) -> RunDirectory:
         """Runs the case to its end and opens its results.
 
-        output: the folder for them; `CASE.results` in the present folder when None, as the command
-        line has it. The files are those that the command line writes, bit for bit. Ctrl-C stops
+        output: the folder for them; when None `CASE.results` in the present folder, as the command
+        line has it, or `case.results` for a case that comes from no file. The files are those that the command line writes, bit for bit. Ctrl-C stops
         the run after its present step: results and a checkpoint stay, and `percolith.resume` goes
         on. Other arguments as for `simulation`. Raises CaseError, SolverError and FileError.
         """
-        folder = Path(f"{self._file.stem}.results") if output is None else output
+        name = "case" if self._file.name == _MADE_HERE else self._file.stem
+        folder = Path(f"{name}.results") if output is None else output
         with self.simulation(folder, force=force, threads=threads, progress=progress) as simulation:
             simulation.run()
         return simulation.results()

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import math
 import sys
 from pathlib import Path
 
@@ -21,6 +20,8 @@ from percolith.overlays import CRACKS, Overlays
 from percolith.pictures import draw
 from percolith.run_directory import ArgumentError, RunDirectory, RunDirectoryError
 from percolith.saving import FORMATS
+from percolith.times import ALLOWED as ALLOWED_TIMES
+from percolith.times import seconds
 from percolith.vtu import VtuError
 from percolith.window import ALLOWED, window_from
 
@@ -41,7 +42,8 @@ def _parser() -> argparse.ArgumentParser:
                         help=f"what to draw: of flow {', '.join(FIELDS)} (default pressure); of "
                         f"mechanics {', '.join(MECHANICS_FIELDS)} (default all but velocity); or "
                         "any other array of the field files, such as stress_xx, strain_xy, region")
-    parser.add_argument("--time", help="time in s (the nearest frame), last (default) or all")
+    parser.add_argument("--time", help="time in s or with a unit, such as \"10 ms\" (the nearest "
+                        "frame), last (default) or all")
     parser.add_argument("--cracks", default="auto", choices=CRACKS, metavar="QUANTITY",
                         help=f"what cracks are coloured by: {', '.join(CRACKS)}; auto (default) is "
                         "the field of a picture of flow but the flux, and in others mode or thin, "
@@ -104,12 +106,9 @@ def _arguments(words: list[str] | None) -> argparse.Namespace:
     arguments.time = arguments.time or "last"
     if arguments.time not in ("last", "all"):
         try:
-            number = float(arguments.time)
-        except ValueError:
-            number = math.nan
-        if not math.isfinite(number):
-            parser.error(f"--time = {arguments.time}: not a number; allowed: seconds, last, all")
-        arguments.time = number
+            arguments.time = seconds(arguments.time)
+        except ValueError as error:
+            parser.error(f"--time = {arguments.time}: {error}; allowed: last, all, {ALLOWED_TIMES}")
     if arguments.scale != "auto":
         try:
             arguments.scale = float(arguments.scale)

@@ -12,16 +12,17 @@ from percolith.pictures import check_scale
 from percolith.reporting.page import page_of
 from percolith.run_directory import ArgumentError, RunDirectory, RunDirectoryError
 from percolith.saving import replacing, writing
+from percolith.times import ALLOWED, seconds
 from percolith.vtu import VtuError
 
 
 def report(directory: str | os.PathLike, output: str | os.PathLike | None = None,
-           time: float | None = None, scale: float | None = None) -> Path:
+           time: float | str | None = None, scale: float | None = None) -> Path:
     """Writes one HTML page of a run directory, which needs no other file and no network, and
     returns its path: what was run, how it ended, balances, results, pictures, and a view to move
-    about in. `output` is the file, None for report.html in the directory; `time` (s) chooses the
-    frame that is shown, None the last one; `scale` multiplies the displacements, None chooses it.
-    A run that has not ended is reported as far as it got. Raises RunDirectoryError where there is
+    about in. `output` is the file, None for report.html in the directory; `time` (s, or a text
+    such as "10 ms") chooses the frame that is shown, None the last one; `scale` multiplies the
+    displacements, None chooses it. A run that has not ended is reported as far as it got. Raises RunDirectoryError where there is
     no run directory or a file of a run that ended is missing or damaged, VtuError where a field
     file is damaged, and FileError where a file cannot be read or written; an earlier page then
     stays."""
@@ -35,11 +36,18 @@ def report(directory: str | os.PathLike, output: str | os.PathLike | None = None
     return path
 
 
-def _number(word: str) -> float:
+def _factor(word: str) -> float:
     number = float(word)
     if not 0.0 <= number < float("inf"):
         raise ValueError
     return number
+
+
+def _time(word: str) -> float:
+    time = seconds(word)
+    if time < 0.0:
+        raise ValueError
+    return time
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -54,7 +62,8 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--output", type=Path, metavar="FILE",
                         help="write the page to this file instead")
     parser.add_argument("--time",
-                        help="show the frame nearest to this time in s, or last (default)")
+                        help="show the frame nearest to this time in s or with a unit, such as \"10 "
+                        "ms\", or last (default)")
     parser.add_argument("--scale", default="auto",
                         help="of mechanics: factor of the displacements, or auto (default)")
     return parser
@@ -63,12 +72,14 @@ def _parser() -> argparse.ArgumentParser:
 def _arguments(words: list[str] | None) -> argparse.Namespace:
     parser = _parser()
     arguments = parser.parse_args(words)
-    for name, word in (("time", "last"), ("scale", "auto")):
+    positive = "or a number that is not negative"
+    for name, word, read, allowed in (("time", "last", _time, ALLOWED),
+                                      ("scale", "auto", _factor, positive)):
         value = getattr(arguments, name) or word
         try:
-            setattr(arguments, name, None if value == word else _number(value))
+            setattr(arguments, name, None if value == word else read(value))
         except ValueError:
-            parser.error(f"--{name} = {value}: allowed: {word}, or a number that is not negative")
+            parser.error(f"--{name} = {value}: allowed: {word}, {allowed}")
     return arguments
 
 

@@ -14,7 +14,6 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property, partial
-from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
@@ -22,6 +21,7 @@ import numpy as np
 
 from percolith.errors import Error, FileError
 from percolith.run_pictures import RunPictures
+from percolith.times import ALLOWED, seconds
 from percolith.vtu import Grid, VtuError, read_vtu
 
 if TYPE_CHECKING:
@@ -298,14 +298,18 @@ class RunDirectory(RunPictures):
         """Times (s) of the frames, ascending."""
         return sorted(self._matrix_files)
 
-    def frame(self, time: float | None = None) -> Frame:
-        """The frame nearest to `time` (s); the last one when None."""
-        if time is not None and (not isinstance(time, Real) or not math.isfinite(time)):
-            raise ArgumentError(f"time = {time!r}: allowed: a finite number of seconds")
+    def frame(self, time: float | str | None = None) -> Frame:
+        """The frame nearest to `time` (s, or a text such as "10 ms"); the last one when None. Raises
+        RunDirectoryError for what is no time, and where there are no frames."""
+        try:
+            wanted = None if time is None else seconds(time)
+        except ValueError as error:
+            raise ArgumentError(f"time = {time!r}: {error}; allowed: {ALLOWED}") from None
         if not self.times:
             raise RunDirectoryError(f"{self.path}: no frames; "
                                     + self._failure_or(self._reason_for_no_frames()))
-        chosen = self.times[-1] if time is None else min(self.times, key=lambda t: abs(t - time))
+        chosen = (self.times[-1] if wanted is None
+                  else min(self.times, key=lambda time: abs(time - wanted)))
         cracks = self._crack_files.get(chosen)
         matrix = read_vtu(self._matrix_files[chosen])
         return Frame(chosen, matrix, read_vtu(cracks) if cracks else None)

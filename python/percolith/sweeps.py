@@ -33,14 +33,14 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import IO, Any
 
-import numpy as np
-
 from percolith import errors
 from percolith.arguments import whole_number
 from percolith.case import Case, Options
 from percolith.errors import CaseError, CaseWarning, Error, FileError, Problem
 from percolith.run_directory import RunDirectory, Table
 from percolith.simulation import resume, start_run
+from percolith.sweep_progress import SweepProgress, Tally, display
+from percolith.sweep_table import table_of
 from percolith.toml_text import plain
 
 _PLAN = "sweep.json"
@@ -148,50 +148,71 @@ class Sweep:
                 point._note_failure(named)
             raise named from error
 
-    def run(self, *, processes: int | None = None, threads: int = 1) -> dict[int, Error]:
+    def run(self, *, processes: int | None = None, threads: int = 1,
+            progress: bool | Callable[[SweepProgress], object] | None = None) -> dict[int, Error]:
         """Runs all that is left, in so many processes of so many threads each; as many processes as
         there are processors for when None. Returns the errors of the points that failed, by their
         numbers; the others are run all the same. What a point warns of is a CaseWarning when it has
         ended, once for all that warn of the same. After Ctrl-C nothing new is begun, and the next
-        call goes on."""
+        call goes on.
+
+        progress: None shows how far it is in one line that is renewed as runs end, on a terminal
+        and in a notebook; True prints a line a run that ended, False nothing. A function is called
+        with a SweepProgress at the beginning and as runs end; what it raises ends the sweep as
+        Ctrl-C does."""
         try:
-            return self._run_left(processes, threads)
+            return self._run_left(processes, threads, progress)
         except KeyboardInterrupt:
             print(f"{self.folder}: ended by Ctrl-C; results and checkpoints are kept, and the same "
                   "lines go on with them", file=sys.stderr)
             raise
 
-    def _run_left(self, processes: int | None, threads: int) -> dict[int, Error]:
+    def _run_left(self, processes: int | None, threads: int,
+                  progress: bool | Callable[[SweepProgress], object] | None) -> dict[int, Error]:
         threads = whole_number("threads", threads, "number of threads")
         if processes is None:
             processes = max(1, len(os.sched_getaffinity(0)) // threads)
         processes = whole_number("processes", processes, "number of processes")
-        left = [point.number for point in self.points if point.state != "finished"]
+        shown, points = display(progress), self.points
+        left = [point.number for point in points if point.state != "finished"]
+        tally = Tally(len(points), len(points) - len(left), len(left), processes)
         working: set[subprocess.Popen] = set()
+
+        def work(number: int) -> tuple[int, Error | None, list[str]]:
+            tally.begin(number)
+            return number, *_run_elsewhere(self.folder, number, threads, working)
+
         with ThreadPoolExecutor(processes) as pool:
-            jobs = [pool.submit(_run_elsewhere, self.folder, number, threads, working)
-                    for number in left]
+            jobs = [pool.submit(work, number) for number in left]
             try:
+                shown.tell(tally.progress)
                 for job in as_completed(jobs):
-                    for text in _new(job.result()[1], self._warned):
+                    number, error, texts = job.result()
+                    tally.end(number, error is not None)
+                    for text in _new(texts, self._warned):
+                        shown.clear()
                         warnings.warn(text, CaseWarning, stacklevel=3)
+                    how = "finished" if error is None else "failed"
+                    shown.tell(tally.progress, f"point {number} {how}")
             except BaseException:
                 pool.shutdown(wait=False, cancel_futures=True)
                 for process in list(working):
                     process.send_signal(signal.SIGINT)
                 raise
-        ended = [job.result()[0] for job in jobs]
-        return {number: error for number, error in zip(left, ended) if error is not None}
+            finally:
+                shown.close()
+        return {number: error for number, error, _ in (job.result() for job in jobs)
+                if error is not None}
 
     def table(self) -> Table:
         """A row a point: `point`, `state`, its options, and the numbers of its summary, those of
         mechanics and of the mass balance among them, and the rate of each condition at the end as
-        `boundary.left_m2_per_s`, called as in the history; NaN where there is none. The highest
-        pressure of a source in cracks is in `peak_pressures.source.pump.pressure_Pa`, reached at
-        `peak_pressures.source.pump.time_s`."""
-        rows = [_row(point) for point in self.points]
-        names = list(dict.fromkeys(name for row in rows for name in row))
-        return Table({name: _column([row.get(name) for row in rows]) for name in names})
+        `boundary.left_m2_per_s`, called as in the history; NaN where there is none. Options whose
+        values are numbers, or texts with a unit, are in SI, with the unit at the end of the name:
+        `source.pump.rate_m2_per_s`; those with other values among them are texts by their path. The
+        highest pressure of a source in cracks is in `peak_pressures.source.pump.pressure_Pa`,
+        reached at `peak_pressures.source.pump.time_s`."""
+        return table_of(self.points)
 
 
 def _run_elsewhere(folder: Path, number: int, threads: int,
@@ -269,27 +290,6 @@ def _named(error: Error, number: int) -> Error:
 def _is_at_work(error: Error) -> bool:
     """Whether a point could not be run because another process does."""
     return any("another run" in problem.reason for problem in getattr(error, "problems", ()))
-
-
-def _row(point: Point) -> dict[str, Any]:
-    row: dict[str, Any] = {"point": point.number, "state": point.state, **point.options}
-    if point.outcome:
-        summary = point.results().summary
-        parts = [summary, summary.get("mechanics", {}), summary.get("mass_balance", {})]
-        row |= {name: value for part in parts for name, value in part.items()
-                if isinstance(value, (int, float)) and not isinstance(value, bool)}
-        rates = summary.get("rate_m2_per_s", {})
-        row |= {f"{name}_m2_per_s": rate for name, rate in rates.items()}
-        peaks = summary.get("mechanics", {}).get("peak_pressures", {})
-        row |= {f"peak_pressures.{name}.{quantity}": value for name, peak in peaks.items()
-                for quantity, value in peak.items()}
-    return row
-
-
-def _column(values: list[Any]) -> np.ndarray:
-    if all(value is None or isinstance(value, (int, float)) for value in values):
-        return np.array([np.nan if value is None else value for value in values])
-    return np.array(["" if value is None else str(value) for value in values])
 
 
 def _points(options: Mapping[str, Sequence[Any]] | Sequence[Mapping[str, Any]]) -> list[dict]:
@@ -395,6 +395,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--list", action="store_true", help="tell how far each point is")
     parser.add_argument("--processes", type=int, metavar="N", help="runs at once")
     parser.add_argument("--threads", type=int, default=None, metavar="N", help="of each run")
+    parser.add_argument("--progress", action="store_true", default=None,
+                        help="print a line for each run that ends; without, a terminal shows one "
+                        "line that is renewed")
     parser.add_argument("--errors", choices=("text", "json"), default="text",
                         help="how the error and the warnings of a point are told: as text, or to "
                         "the standard output as lines of JSON")
@@ -475,7 +478,8 @@ def _run(arguments: argparse.Namespace) -> int:
                 chosen.run_point(arguments.point, threads=arguments.threads)
             return 0
         threads = 1 if arguments.threads is None else arguments.threads
-        failed = chosen._run_left(arguments.processes, threads)  # main tells of an end by a signal
+        # Not `run`: main tells of an end by a signal.
+        failed = chosen._run_left(arguments.processes, threads, arguments.progress)
     except Error as error:
         _tell(error, arguments)
         return 2

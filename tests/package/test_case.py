@@ -134,6 +134,21 @@ def test_a_saved_case_is_the_same_case(strip, tmp_path):
         assert one.state_hash == other.state_hash
 
 
+def test_results_tell_where_the_case_comes_from(strip, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    strip["mesh.file"] = strip.file.parent / strip["mesh.file"]
+    for made in (percolith.Case(strip.to_dict()), percolith.Case.from_toml(strip.to_toml())):
+        run = made.run(force=True)
+        assert run.path.name == "case.results"
+        assert run.summary["case_file"] == "case built in Python"
+        assert ") runs case built in Python on " in (run.path / "run.log").read_text()
+        with pytest.raises(percolith.CaseError, match="case built in Python"):
+            percolith.Case.from_toml("wrong")
+    strip.save("own.toml")
+    run = percolith.Case.load("own.toml").run()
+    assert run.path.name == "own.results" and run.summary["case_file"] == "own.toml"
+
+
 def test_check_tells_what_the_model_is(strip):
     report = strip.check()
     assert report.triangles == 172
@@ -147,6 +162,17 @@ def test_check_warns_of_the_model(program):
         report = case.check()
     assert [f"warning: {text}" for text in report.warnings] == [str(one.message) for one in told]
     assert repr(report).startswith("CheckReport(15202 triangles, 22651 joints, 12 of them broken; ")
+
+
+def test_check_tells_of_mechanics_by_name(mechanics, strip):
+    report = mechanics.check()
+    assert isinstance(report.mechanics, dict)
+    assert report.mechanics["bodies (parts that hang together)"] == 1
+    assert 3.0 < report.mechanics["smallest cohesive length over element size"] < 3.1
+    limit = report.limits[0]
+    assert repr(limit) == (f"StepLimit('contact', {limit.step:g} s at ({limit.place[0]:g}, "
+                           f"{limit.place[1]:g}) m)")
+    assert strip.check().mechanics == {}
 
 
 def test_options_are_described_from_their_declarations():

@@ -80,6 +80,22 @@ def test_a_borehole_through_a_fracture(tmp_path):
     assert report.fracture_length == pytest.approx(np.hypot(1.1, 0.08) - 0.2, rel=0.1)
 
 
+def test_holes_lie_where_they_are_wanted(tmp_path):
+    def places(case):
+        with case.simulation() as simulation:
+            return simulation.mesh.vertices
+
+    well = mesh.borehole(tmp_path / "m.msh", 4, 2, 0.1, size=0.2, centre=(-1.5, 0.6))
+    check(well, "hole", "right")
+    far = places(flow_case(well, "hole", "right"))
+    assert far.min(axis=0) == pytest.approx([-2, -1]) and far.max(axis=0) == pytest.approx([2, 1])
+    assert np.hypot(*(far - [-1.5, 0.6]).T).min() == pytest.approx(0.1, rel=1e-3)
+    drift = mesh.tunnel(tmp_path / "t.msh", 20, 20, 3, 2, size=1.5, centre=np.array([4.0, -5.0]))
+    assert check(drift, "top", "wall").area == pytest.approx(400 - 6 - np.pi * 1.5**2 / 2, rel=1e-3)
+    floor = places(flow_case(drift, "top", "wall"))
+    assert np.hypot(*(floor - [2.5, -6.75]).T).min() < 1e-9
+
+
 @pytest.mark.parametrize("excavated", [False, True])
 def test_a_tunnel(tmp_path, excavated):
     made = mesh.tunnel(tmp_path / "m.msh", 20, 20, 3, 2, size=1.5, excavated=excavated)
@@ -323,6 +339,14 @@ def test_other_mistakes(tmp_path):
         mesh.FractureSet(shortest=3)
     with pytest.raises(percolith.MeshError, match="within the rectangle"):
         mesh.borehole(tmp_path / "m.msh", 1, 1, 0.6, size=0.1)
+    for centre in ((0.9, 0), (0, -0.95), (5, 5)):
+        with pytest.raises(percolith.MeshError, match="hole does not lie within.*to .1, 1., or touc"):
+            mesh.borehole(tmp_path / "m.msh", 2, 2, 0.1, size=0.1, centre=centre)
+    with pytest.raises(percolith.MeshError, match=r"centre = \(0, 9\): the hole does not lie"):
+        mesh.tunnel(tmp_path / "m.msh", 20, 20, 3, 2, size=1, centre=(0, 9))
+    for centre in ("middle", 1.0, (1, 2, 3), (np.nan, 0)):
+        with pytest.raises(percolith.MeshError, match="centre = .*: no place; allowed: .x, y. in m"):
+            mesh.borehole(tmp_path / "m.msh", 2, 2, 0.1, size=0.1, centre=centre)
     with pytest.raises(percolith.MeshError, match="angle_deg = 0"):
         mesh.slope(tmp_path / "m.msh", 1, 0, foot=1, crest=1, depth=1, size=0.1)
 
@@ -371,8 +395,8 @@ def test_a_shape_refuses_options_that_there_are_not(tmp_path):
 
 def test_wrong_arguments_name_the_shape_that_was_asked_for(tmp_path):
     file = tmp_path / "block.msh"
-    with pytest.raises(TypeError, match=r"^borehole\(\) takes no 'centre'; it takes: path, width, "):
-        mesh.borehole(file, 10, 10, 1, size=1, centre=(1, 1))
+    with pytest.raises(TypeError, match=r"^borehole\(\) takes no 'center'; it takes: path, width, "):
+        mesh.borehole(file, 10, 10, 1, size=1, center=(1, 1))
     with pytest.raises(percolith.MeshError, match="^size = '1 m': not a positive length in m$"):
         mesh.borehole(file, 10, 10, 1, size="1 m")
     with pytest.raises(percolith.MeshError, match=r"^fractures\[1\] is a list; allowed: "):

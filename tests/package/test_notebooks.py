@@ -49,7 +49,7 @@ def pictures(notebook) -> list[int]:
 
 @pytest.mark.parametrize("path", PATHS, ids=NAMES)
 def test_a_notebook_runs_and_shows_what_it_is_committed_with(path, executed):
-    now, committed = executed[path.stem], nbformat.read(path, as_version=4)
+    now, committed = tool.tidy(executed[path.stem]), nbformat.read(path, as_version=4)
     assert not [output.text for output in outputs(now, "stream") if output.name == "stderr"]
     assert words(now) == words(committed)
     assert pictures(now) == pictures(committed) and len(pictures(now)) >= 3
@@ -62,6 +62,14 @@ def test_a_notebook_is_light_and_tidy(path):
     assert path.stat().st_size < MOST_BYTES
     assert notebook.metadata == tool.METADATA
     assert not any(cell.metadata for cell in notebook.cells)
+
+
+def test_of_lines_that_were_written_over_the_last_is_kept():
+    cell = nbformat.v4.new_code_cell(outputs=[
+        nbformat.v4.new_output("stream", name="stdout", text=text)
+        for text in ("\r0 of 2, 1 s left", "\r1 of 2          ", "\r2 of 2\ndone\n")])
+    (output,) = tool.tidy(nbformat.v4.new_notebook(cells=[cell])).cells[0].outputs
+    assert output.text == "2 of 2\ndone\n"
 
 
 def links(text: str) -> list[str]:

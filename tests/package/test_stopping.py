@@ -56,11 +56,13 @@ def test_a_program_that_is_interrupted_ends_at_once(strip, tmp_path):
 
 
 @pytest.mark.parametrize("name", ["strip", "coupled", "mechanics"])
-def test_a_run_that_was_closed_goes_on_to_the_same_bits(name, tmp_path, request):
+def test_a_run_that_was_closed_goes_on_to_the_same_bits(name, tmp_path, request, capsys):
     case = request.getfixturevalue(name)
     case.run(tmp_path / "whole")
     with case.simulation(tmp_path / "parts") as simulation:
         simulation.advance(steps=8)
+    told = capsys.readouterr().err
+    assert f"percolith.resume({str(tmp_path / 'parts')!r})" in told
     assert outcome(tmp_path / "parts")[0] == "interrupted"
     run = percolith.resume(tmp_path / "parts")
     assert results(tmp_path / "parts") == results(tmp_path / "whole")

@@ -51,6 +51,25 @@ def test_all_combinations_are_run_and_told(case, tmp_path):
     assert sweep.points[2].results().summary["state_hash"] == alone.state_hash
 
 
+def test_options_are_numbers_in_the_table(case, tmp_path):
+    points = [{"boundary.left.pressure": "200 kPa", "material.rock.porosity": "10 %"},
+              {"boundary.left.pressure": 1e5, "material.rock.porosity": 0.2, "fluid.viscosity": "1 cP",
+               "material.rock.permeability": 1e-14, "time.scheme": "implicit"},
+              {"material.rock.permeability": [1e-14, 1e-14, 0.0], "model.gravity": 0}]
+    table = percolith.sweep(case, points, tmp_path / "study").table()
+    expected = {"boundary.left.pressure_Pa": [2e5, 1e5, np.nan],
+                "material.rock.porosity": [0.1, 0.2, np.nan],
+                "fluid.viscosity_Pa_s": [np.nan, 1e-3, np.nan],
+                "model.gravity_m_per_s2": [np.nan, np.nan, 0.0]}
+    for name, values in expected.items():
+        assert table[name].dtype.kind == "f"
+        assert table[name] == pytest.approx(values, nan_ok=True)
+    assert list(table["material.rock.permeability"]) == ["", "1e-14", "[1e-14, 1e-14, 0.0]"]
+    assert list(table["time.scheme"]) == ["", "implicit", ""]
+    pandas = pytest.importorskip("pandas")
+    assert pandas.api.types.is_float_dtype(table.to_pandas()["boundary.left.pressure_Pa"])
+
+
 def test_peak_pressures_of_sources_are_in_the_table(coupled, tmp_path):
     sweep = percolith.sweep(coupled, {"source.middle.rate": [1e-2, 2e-2]}, tmp_path / "study")
     sweep.run_point(1)

@@ -147,8 +147,8 @@ def test_tables_that_are_not_there(tmp_path):
 
 @pytest.mark.parametrize("time", [np.nan, np.inf])
 def test_a_time_is_finite(time, folder, capsys):
-    with pytest.raises(RunDirectoryError, match="allowed: a finite number"):
+    with pytest.raises(RunDirectoryError, match="not a finite time; allowed: seconds"):
         RunDirectory(folder).frame(time)
     with pytest.raises(SystemExit):
         plot.main([str(folder), "--time", str(time)])
-    assert "not a number; allowed: seconds, last, all" in capsys.readouterr().err
+    assert "not a finite time; allowed: last, all, seconds" in capsys.readouterr().err

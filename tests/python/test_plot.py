@@ -86,7 +86,7 @@ def test_output_in_a_missing_folder(directory, tmp_path, capsys):
 def test_contradicting_options(directory, capsys):
     with pytest.raises(SystemExit):
         plot.main([str(directory), "--time", "noon"])
-    assert "--time = noon: not a number; allowed: seconds, last, all" in capsys.readouterr().err
+    assert "--time = noon: does not begin with a number; allowed: last, all, seconds" in capsys.readouterr().err
 
 
 def test_scales():

@@ -24,6 +24,19 @@ def test_defaults(block, coupled):
     assert "t = 0 ms" in block.plot("damage", time=1e-4).get_title()
 
 
+def test_times_have_units(block, tmp_path):
+    assert block.frame("2 ms").time == block.frame(2e-3).time == block.frame("0.002").time
+    assert "t = 0 ms" in block.plot("damage", time="10 us").get_title()
+    assert plot.main([str(block.path), "--field", "damage", "--time", "10 us", "--output",
+                      str(tmp_path / "early.png")]) == 0
+    with pytest.raises(RunDirectoryError, match='time = .2 MPa.: the unit "MPa" is not one of time'):
+        block.plot(time="2 MPa")
+    with pytest.raises(RunDirectoryError, match="time = .noon.: does not begin with a number"):
+        block.frame("noon")
+    with pytest.raises(RunDirectoryError, match="no time; allowed: seconds, or a number with a"):
+        block.frame([1.0])
+
+
 def test_a_map_can_be_a_part_of_a_figure(coupled):
     figure, (left, right) = plt.subplots(1, 2, figsize=(14, 6))
     assert coupled.plot("pressure", ax=left, arrows=True) is left

@@ -70,7 +70,7 @@ def box(width: float, height: float, centre: tuple[float, float] | None = None,
     """A rectangle with the sides left, right, bottom and top; its lower left corner is the origin
     where no centre is given."""
     require_positive(width=width, height=height)
-    x, y = (0.5 * width, 0.5 * height) if centre is None else centre
+    x, y = (0.5 * width, 0.5 * height) if centre is None else as_place(centre, "centre")
     corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * [0.5 * width, 0.5 * height] + [x, y]
     return Outline(corners, ["bottom", "right", "top", "left"], region=region)
 
@@ -81,7 +81,8 @@ def circle(radius: float, size: float, side: str, centre: tuple[float, float] = 
     require_positive(radius=radius, size=size)
     count = max(16, 4 * math.ceil(math.pi * radius / (2.0 * size)))
     angle = 2.0 * math.pi * np.arange(count) / count
-    corners = radius * np.stack([np.cos(angle), np.sin(angle)], axis=1) + centre
+    corners = (radius * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+               + as_place(centre, "centre"))
     return Outline(corners, [side] * count, region=region)
 
 
@@ -91,6 +92,17 @@ def as_places(given: Any, what: str) -> np.ndarray:
         return np.asarray(given, dtype=float)
     except (TypeError, ValueError):
         raise MeshError(f"{what}: not pairs of numbers; allowed: (x, y) in m for each") from None
+
+
+def as_place(given: Any, name: str) -> tuple[float, float]:
+    """One place (x, y), m. Raises MeshError where it is none."""
+    try:
+        place = np.asarray(given, dtype=float)
+    except (TypeError, ValueError):
+        place = np.empty(0)
+    if place.shape != (2,) or not np.isfinite(place).all():
+        raise MeshError(f"{name} = {given!r}: no place; allowed: (x, y) in m")
+    return float(place[0]), float(place[1])
 
 
 def require_positive(**lengths: float) -> None:

@@ -12,7 +12,7 @@ import numpy as np
 from percolith.errors import MeshError
 from percolith.mesh.gmsh_mesh import MadeMesh
 from percolith.mesh.meshing import Meshing, SideMeshing, outline_mesh, with_options
-from percolith.mesh.outline import Outline, box, circle, require_positive
+from percolith.mesh.outline import Outline, as_place, box, circle, require_positive
 
 
 @with_options
@@ -60,14 +60,18 @@ def _with_flats(outline: Outline, centre: np.ndarray, arc: float) -> Outline:
 
 @with_options
 def borehole(path: str | os.PathLike, width: float, height: float, radius: float, *,
-             size: float, size_at_hole: float | None = None, region: str = "rock",
+             size: float, size_at_hole: float | None = None,
+             centre: tuple[float, float] = (0.0, 0.0), region: str = "rock",
              **meshing: Unpack[Meshing]) -> MadeMesh:
-    """A rectangle round the origin with a hole there: sides left, right, bottom, top and hole.
-    size_at_hole: of the elements there, m; an eighth of the radius where it is not given."""
+    """A rectangle round the origin with a hole in it: sides left, right, bottom, top and hole.
+    centre: (x, y) of the hole, m, the origin where it is not given; the hole lies within the
+    rectangle and does not touch its sides. size_at_hole: of the elements there, m; an eighth of the
+    radius where it is not given."""
+    middle = as_place(centre, "centre")
     fine = min(size, radius / 8.0) if size_at_hole is None else size_at_hole
     outline = box(width, height, (0.0, 0.0), region)
-    outline.holes = [circle(radius, fine, "hole")]
-    _require_inside(outline)
+    outline.holes = [circle(radius, fine, "hole", middle)]
+    _require_inside(outline, middle)
     return outline_mesh(path, outline, size=size, fine_sides=["hole"], size_at_fine_sides=fine,
                         **meshing)
 
@@ -75,34 +79,41 @@ def borehole(path: str | os.PathLike, width: float, height: float, radius: float
 @with_options
 def tunnel(path: str | os.PathLike, width: float, height: float, tunnel_width: float,
            wall_height: float, *, size: float, size_at_wall: float | None = None,
-           excavated: bool = False, region: str = "rock", **meshing: Unpack[Meshing]) -> MadeMesh:
-    """A rectangle round the origin with a tunnel there: walls of wall_height and a round roof
-    above; sides left, right, bottom, top and wall. excavated: the tunnel is a region of its own,
+           centre: tuple[float, float] = (0.0, 0.0), excavated: bool = False, region: str = "rock",
+           **meshing: Unpack[Meshing]) -> MadeMesh:
+    """A rectangle round the origin with a tunnel in it: walls of wall_height and a round roof
+    above; sides left, right, bottom, top and wall. centre: (x, y) of the middle of the tunnel, m,
+    half its width from the walls and half its height above the floor, the origin where it is not
+    given; the tunnel lies within the rectangle and does not touch its sides. excavated: the tunnel is a region of its own,
     tunnel, that the case takes out later; its wall lies within the rock until then, and is no side
     that a boundary could refer to. size_at_wall: of the elements there, m; a twelfth of the
     width of the tunnel where it is not given. Fractures within the tunnel are left out."""
     require_positive(tunnel_width=tunnel_width, wall_height=wall_height, size=size)
     fine = min(size, tunnel_width / 12.0) if size_at_wall is None else size_at_wall
     require_positive(size_at_wall=fine)
+    middle = as_place(centre, "centre")
     radius = 0.5 * tunnel_width
     steps = max(8, math.ceil(math.pi * radius / fine))
     angle = np.linspace(0.0, math.pi, steps + 1)
     floor = -0.5 * (wall_height + radius)
     roof = np.stack([radius * np.cos(angle), floor + wall_height + radius * np.sin(angle)], axis=1)
-    corners = np.vstack([[-radius, floor], [radius, floor], roof])
+    corners = np.vstack([[-radius, floor], [radius, floor], roof]) + middle
     outline = box(width, height, (0.0, 0.0), region)
     outline.holes = [Outline(corners, ["wall"] * len(corners))]
     outline.filling = "tunnel" if excavated else ""
-    _require_inside(outline)
+    _require_inside(outline, middle)
     return outline_mesh(path, outline, size=size, fine_sides=["wall"], size_at_fine_sides=fine,
                         **meshing)
 
 
-def _require_inside(outline: Outline) -> None:
+def _require_inside(outline: Outline, centre: tuple[float, float]) -> None:
     low, high = outline.corners.min(axis=0), outline.corners.max(axis=0)
     for hole in outline.holes:
         if (hole.corners <= low).any() or (hole.corners >= high).any():
-            raise MeshError("the hole does not lie within the rectangle")
+            (left, bottom), (right, top) = low, high
+            raise MeshError(
+                f"centre = ({centre[0]:g}, {centre[1]:g}): the hole does not lie within the "
+                f"rectangle, from ({left:g}, {bottom:g}) to ({right:g}, {top:g}), or touches it")
 
 
 @with_options

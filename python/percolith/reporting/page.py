@@ -81,14 +81,14 @@ def _log(run: RunDirectory) -> str:
     return "\n".join(head + lines[-_LOG_LINES:])
 
 
-def _view(run: RunDirectory, time: float | None, scale: float | None) -> ViewData | None:
+def _view(run: RunDirectory, time: float | str | None, scale: float | None) -> ViewData | None:
     wanted = run.times or run.lost_frames
     return view_data(run, run.frame(time), scale) if wanted else None
 
 
-def page_of(run: RunDirectory, time: float | None = None, scale: float | None = None) -> str:
-    """The page of a run as HTML. `time` (s) chooses the frame that fields and view show, None the
-    last one; `scale` multiplies the displacements, None chooses the factor. Raises
+def page_of(run: RunDirectory, time: float | str | None = None, scale: float | None = None) -> str:
+    """The page of a run as HTML. `time` (s, or a text) chooses the frame that fields and view
+    show, None the last one; `scale` multiplies the displacements, None chooses the factor. Raises
     RunDirectoryError where a file of a run that has ended is missing or damaged, VtuError where a
     field file of that frame is damaged, FileError where one cannot be read."""
     resolved = run.resolved_text

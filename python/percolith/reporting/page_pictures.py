@@ -69,7 +69,7 @@ def _map(run: RunDirectory, frame: Frame, name: str, options: MapOptions) -> Pag
     return PagePicture(name, caption, "image/png", _text(png_of(figure)))
 
 
-def drawn(run: RunDirectory, time: float | None, scale: float | None) -> list[PagePicture]:
+def drawn(run: RunDirectory, time: float | str | None, scale: float | None) -> list[PagePicture]:
     """What `percolith plot` draws of the frame nearest to `time`; nothing is left in the run
     directory. Of a run without frames what its tables give, without tables nothing of them."""
     pictures = []

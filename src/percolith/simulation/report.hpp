@@ -241,7 +241,7 @@ struct CheckReport {
   /// One per mechanism of the model, smallest first; the last, "all together", counts every
   /// mechanism at once and is the one that rules.
   std::vector<StepLimit> limits;
-  /// Mechanics: numbers worth knowing before a run, `name` with its unit (cohesive length over
+  /// Mechanics: numbers worth knowing before a run by names with their unit (cohesive length over
   /// element size, apparent modulus, bodies, added mass); empty in a run of flow alone.
   std::vector<NamedResult> mechanics;
   std::vector<std::string> warnings;
