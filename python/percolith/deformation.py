@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import NamedTuple
-from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -73,10 +72,6 @@ class CrackFaces(NamedTuple):
     triangle: np.ndarray  # (n,) that each is an edge of
 
 
-# Those of grids that are in use, by matrix and cracks: every field of damage asks for them anew.
-_known_faces: WeakKeyDictionary[Grid, WeakKeyDictionary[Grid, CrackFaces]] = WeakKeyDictionary()
-
-
 def crack_faces(frame: Frame) -> CrackFaces:
     """The edges of triangles that lie on a crack when undeformed. Most segments have two, one a
     face."""
@@ -84,10 +79,7 @@ def crack_faces(frame: Frame) -> CrackFaces:
     if cracks is None or not len(cracks.cells):
         none = np.empty(0, int)
         return CrackFaces(np.empty((0, 2), int), none, none)
-    known = _known_faces.setdefault(matrix, WeakKeyDictionary())
-    if cracks not in known:
-        known[cracks] = _found_faces(matrix, cracks)
-    return known[cracks]
+    return matrix.found_with(cracks, _found_faces)  # every field of damage asks for them anew
 
 
 def _found_faces(matrix: Grid, cracks: Grid) -> CrackFaces:

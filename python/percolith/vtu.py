@@ -9,6 +9,7 @@ import os
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Iterator, Mapping, MutableMapping
 from functools import partial
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from percolith.errors import Error, FileError
 _TYPES = {"Float64": "<f8", "Float32": "<f4", "Int32": "<i4", "Int64": "<i8", "UInt8": "u1"}
 
 _DAMAGE = (KeyError, ValueError, TypeError, AttributeError, ElementTree.ParseError)
+_Found = TypeVar("_Found")
 _SMALL = 2**24  # bytes of a file that is read whole; each larger one keeps a file open
 _END = b"</VTKFile>"
 
@@ -75,6 +77,7 @@ class Grid:
         self.point_data = {} if point_data is None else point_data
         self.cell_data = {} if cell_data is None else cell_data
         self.time = time
+        self._found: dict[tuple[Grid, Callable[[Grid, Grid], Any]], Any] = {}
 
     @property
     def points(self) -> np.ndarray:
@@ -85,6 +88,14 @@ class Grid:
     def cells(self) -> np.ndarray:
         """Numbers (m, 2) or (m, 3) of the points of each cell."""
         return self._made("cells")
+
+    def found_with(self, other: Grid, find: Callable[[Grid, Grid], _Found]) -> _Found:
+        """What `find` makes of this grid and another, found once for as long as this one is in
+        use."""
+        asked = other, find
+        if asked not in self._found:
+            self._found[asked] = find(self, other)
+        return self._found[asked]
 
     def _made(self, name: str) -> np.ndarray:
         if callable(self._mesh[name]):

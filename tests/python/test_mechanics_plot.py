@@ -5,10 +5,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
-from percolith import RunDirectory, mechanics_history, plot
+from percolith import Frame, RunDirectory, deformation, mechanics_history, plot
 from percolith.b_value import BIN_WIDTH, b_value, reason_for_none
 from percolith.colours import distinct_colour
-from percolith.deformation import crack_faces, deformed_points
+from percolith.deformation import crack_faces, deformed_points, edge_keys
 from percolith.event_picture import draw_events, shown_window
 from percolith.exaggeration import automatic_scale
 from percolith.mechanics_fields import fragment_count
@@ -109,6 +109,18 @@ def test_crack_faces_are_the_two_edges_of_triangles_on_each_segment(directory):
     assert on_face == pytest.approx(on_crack[segment])
     assert all(set(face) < set(cell) for face, cell in zip(faces, frame.matrix.cells[triangle]))
     assert len(np.unique(faces)) > len(np.unique(frame.matrix.points[faces].reshape(-1, 2), axis=0))
+
+
+def test_crack_faces_are_found_once_for_grids_that_belong_together(directory, monkeypatch):
+    found = []
+    frame = RunDirectory(directory).frame()
+    monkeypatch.setattr(deformation, "edge_keys",
+                        lambda *grids: found.append(grids) or edge_keys(*grids))
+    first = crack_faces(frame)
+    assert crack_faces(Frame(0.0, frame.matrix, frame.cracks)) is first and len(found) == 1
+    other = RunDirectory(directory).frame()
+    assert crack_faces(Frame(0.0, frame.matrix, other.cracks)) is not first and len(found) == 2
+    assert crack_faces(other) is not first and len(found) == 3
 
 
 def test_no_cracks_have_no_faces(directory):

@@ -17,10 +17,12 @@ from percolith.mesh.outline import Outline, as_places
 @dataclass
 class Fracture:
     """The trace of a fracture, a line through `points` (n, 2), m. `group` is the name of its curve
-    in the mesh; several may share one."""
+    in the mesh; several may share one. is_random: whether a network has it by chance; meshes do not
+    warn of those that they leave out."""
 
     points: np.ndarray
     group: str = "fractures"
+    is_random: bool = False
 
     def __post_init__(self) -> None:
         self.points = as_places(self.points, "points of a fracture")
@@ -124,6 +126,6 @@ def _draw(region: Outline, one: FractureSet, generator: np.random.Generator) -> 
             angle += math.pi * generator.random()
         half = 0.5 * length * np.array([math.cos(angle), math.sin(angle)])
         for start, end in clip(centre - half, centre + half, region):
-            fractures.append(Fracture(np.array([start, end]), one.group))
+            fractures.append(Fracture(np.array([start, end]), one.group, is_random=True))
             total += fractures[-1].length
     return fractures

@@ -14,6 +14,7 @@ from percolith.errors import MeshError
 from percolith.mesh.arrangement import arrange
 from percolith.mesh.fractures import Fracture
 from percolith.mesh.gmsh_mesh import MadeMesh, Sizes, make_mesh
+from percolith.mesh.left_out import warn_of_left_out
 from percolith.mesh.outline import Outline, require_positive
 
 _Shape = TypeVar("_Shape", bound=Callable[..., MadeMesh])
@@ -93,7 +94,7 @@ def outline_mesh(path: str | os.PathLike, outline: Outline, *, size: float,
                  smallest_angle_deg: float = 20.0, irregular: bool = True,
                  fine_sides: Sequence[str] = (),
                  size_at_fine_sides: float | None = None) -> MadeMesh:
-    """Meshes any outline."""
+    """Meshes any outline. A fracture that is left out, as a whole or in part, is a CaseWarning."""
     require_positive(size=size, growth=growth)
     near = size if size_at_fractures is None else size_at_fractures
     require_positive(size_at_fractures=near)
@@ -117,5 +118,7 @@ def outline_mesh(path: str | os.PathLike, outline: Outline, *, size: float,
             raise MeshError(f"fractures[{number}] is a {type(fracture).__name__}; allowed: "
                             "percolith.mesh.Fracture(points)")
     lines = arrange(outline, fractures, gap, smallest_angle_deg, own)
-    return make_mesh(path, outline, fractures, lines,
+    made = make_mesh(path, outline, fractures, lines,
                      Sizes(size, near, fine, growth, tuple(fine_sides), irregular))
+    warn_of_left_out(made, fractures)
+    return made
