@@ -62,7 +62,7 @@ def test_a_run_that_was_closed_goes_on_to_the_same_bits(name, tmp_path, request,
     with case.simulation(tmp_path / "parts") as simulation:
         simulation.advance(steps=8)
     told = capsys.readouterr().err
-    assert f"percolith.resume({str(tmp_path / 'parts')!r})" in told
+    assert f'percolith.resume("{tmp_path / "parts"}")' in told
     assert outcome(tmp_path / "parts")[0] == "interrupted"
     run = percolith.resume(tmp_path / "parts")
     assert results(tmp_path / "parts") == results(tmp_path / "whole")
