@@ -45,7 +45,7 @@ DrivenRun::Hold::Hold(std::atomic<bool>& busy) : busy_(busy) {
 
 DrivenRun::DrivenRun(std::unique_ptr<runner::CaseRun> run, const runner::Console& console,
                      bool keeps_log, bool quiet)
-    : run_(std::move(run)), tables_(!run_->simulation().fracture_names().empty()), teller_(console),
+    : run_(std::move(run)), teller_(console),
       progress_(io::ProgressStyle::plain, console.width, console.print, seconds_now) {
   run_->add_observer(tables_);
   if (!keeps_log) {

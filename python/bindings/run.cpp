@@ -39,8 +39,7 @@ std::map<std::string, std::string> present_tables(DrivenRun& run) {
   return run.with([](Simulation& simulation) {
     std::map<std::string, std::string> tables;
     const simulation::HistoryRow row = simulation.look();
-    tables["history"] =
-        io::history_header(row) + io::history_line(row, !simulation.fracture_names().empty());
+    tables["history"] = io::history_header(row) + io::history_line(row);
     for (const simulation::ProbeSample& sample : simulation.probes()) {
       tables["probes/" + sample.name] =
           io::probe_header(sample) + io::probe_lines(simulation.time(), sample);
@@ -56,6 +55,7 @@ std::string summary(DrivenRun& run) {
     record.title = run.run()->read_case().setup.title;
     record.regions = simulation.region_names();
     record.fractures = simulation.fracture_names();
+    record.warnings = run.run()->read_case().warnings;
     simulation::Summary present = simulation.summary();
     present.last = simulation.look();
     return io::summary_json(record, present, {});
@@ -130,6 +130,9 @@ void bind_looks(nb::class_<DrivenRun>& run) {
   run.def_prop_ro(
       "end", [](DrivenRun& r) { return r.run()->read_case().setup.time.end; },
       "Time at which the run ends, s.");
+  run.def_prop_ro(
+      "case_warnings", [](DrivenRun& r) { return r.run()->read_case().warnings; },
+      "Warnings of the case file, with their places.");
   run.def_prop_ro("outputs", &DrivenRun::outputs, "Outputs so far, that of time zero included.");
   run.def_prop_ro(
       "tables", [](const DrivenRun& r) { return r.tables(); },
@@ -137,7 +140,13 @@ void bind_looks(nb::class_<DrivenRun>& run) {
   run.def("present_tables", &present_tables, "The present state as rows of the same tables.");
   run.def("summary", &summary, "The present state as `summary.json` would tell it.");
   run.def(
-      "check", [](DrivenRun& r) { return r.with([](Simulation& s) { return s.check(); }); },
+      "check",
+      [](DrivenRun& r) {
+        simulation::CheckReport report = r.with([](Simulation& s) { return s.check(); });
+        const std::vector<std::string>& of_file = r.run()->read_case().warnings;
+        report.warnings.insert(report.warnings.begin(), of_file.begin(), of_file.end());
+        return report;
+      },
       "Counts, mesh quality, limits of the time step and warnings.");
   run.def(
       "frame",

@@ -187,8 +187,9 @@ class Case(Options):
     def check(self) -> _core.CheckReport:
         """Builds the model and tells its counts, mesh quality and limits of the time step, and
         warns of what may be wrong with it. Raises CaseError and FileError."""
-        report = start_run(self.source).check()
-        for warning in report.warnings:
+        run = start_run(self.source)  # which warns of what the options alone tell
+        report = run.check()
+        for warning in report.warnings[len(run.case_warnings):]:
             warnings.warn(in_python(f"warning: {warning}"), CaseWarning, stacklevel=2)
         return report
 

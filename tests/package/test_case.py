@@ -164,6 +164,22 @@ def test_check_warns_of_the_model(program):
     assert repr(report).startswith("CheckReport(15202 triangles, 22651 joints, 12 of them broken; ")
 
 
+def test_warnings_of_options_are_among_those_of_check_and_of_results(strip, tmp_path):
+    strip["source.well"] = {"point": [0.5, 0.1], "rate": -10.0}
+    with pytest.warns(percolith.CaseWarning) as told:
+        report = strip.check()
+    assert len(told) == len(report.warnings)
+    assert "source.well.rate = -10 is -10 m2/s" in report.warnings[0]
+    strip["time"] = {"scheme": "explicit", "end": "1 ms"}
+    strip["source.well.rate"] = 10.0
+    del strip["output.times"]
+    with pytest.warns(percolith.CaseWarning):
+        with strip.simulation(tmp_path / "run") as simulation:
+            simulation.advance(steps=2)
+    assert percolith.resume(tmp_path / "run").summary["warnings"] == [
+        text.replace("-10", "10") for text in report.warnings]
+
+
 def test_check_tells_of_mechanics_by_name(mechanics, strip):
     report = mechanics.check()
     assert isinstance(report.mechanics, dict)

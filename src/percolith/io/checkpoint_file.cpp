@@ -116,6 +116,7 @@ static void describe_state(StateArchive& archive, CheckpointOrigin& origin) {
   archive("case_hash", origin.case_hash);
   archive("mesh_hash", origin.mesh_hash);
   archive("case_file", origin.case_file);
+  archive.of_any_size("warnings", origin.warnings);
 }
 
 void write_checkpoint(const std::filesystem::path& path, const CheckpointOrigin& origin,

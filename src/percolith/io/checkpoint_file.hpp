@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace percolith::io {
 
@@ -15,6 +16,7 @@ struct CheckpointOrigin {
   std::string case_hash;  ///< of the text of `resolved.toml`
   std::string mesh_hash;  ///< see `mesh::hash_of`
   std::string case_file;  ///< as named on the command line; told by the summary, not compared
+  std::vector<std::string> warnings{};  ///< of the case file, with their places; likewise
 };
 
 /// Writes `path` through an AtomicFile, synced: a line that says what it is, the origin, what

@@ -19,12 +19,10 @@ void add_flow_names(CsvLine& line, const simulation::HistoryRow& row) {
   }
 }
 
-void add_flow(CsvLine& line, const simulation::HistoryRow& row, bool has_cracks) {
+void add_flow(CsvLine& line, const simulation::HistoryRow& row) {
   line.add(row.minimum_pressure).add(row.maximum_pressure);
-  if (has_cracks) {
-    line.add(row.minimum_crack_pressure).add(row.maximum_crack_pressure);
-  } else {
-    line.add_empty().add_empty();
+  for (const auto& pressure : {row.minimum_crack_pressure, row.maximum_crack_pressure}) {
+    pressure ? line.add(*pressure) : line.add_empty();
   }
   const simulation::MassBalance& balance = row.balance;
   line.add(row.minimum_saturation).add(balance.in).add(balance.out).add(balance.stored);
@@ -50,11 +48,11 @@ std::string history_header(const simulation::HistoryRow& row) {
   return line.text();
 }
 
-std::string history_line(const simulation::HistoryRow& row, bool has_cracks) {
+std::string history_line(const simulation::HistoryRow& row) {
   CsvLine line;
   line.add(row.time).add(row.step).add(row.step_size);
   if (row.has_flow) {
-    add_flow(line, row, has_cracks);
+    add_flow(line, row);
   }
   for (const auto& [name, value] : row.mechanics) {
     line.add(value);

@@ -14,7 +14,7 @@ namespace percolith::io {
 
 /// `row` as a line of `history.csv`: time, step, extremes, volumes since time zero (m2: m3 per
 /// metre of thickness) and the current rate of each condition, or the values of mechanics. Cells
-/// on the flow in cracks stay empty where `has_cracks` is false.
-[[nodiscard]] std::string history_line(const simulation::HistoryRow& row, bool has_cracks);
+/// on the flow in cracks stay empty while there are none.
+[[nodiscard]] std::string history_line(const simulation::HistoryRow& row);
 
 }  // namespace percolith::io

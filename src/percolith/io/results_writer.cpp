@@ -35,8 +35,8 @@ int frame_of(std::string_view name) {
 
 }  // namespace
 
-ResultsWriter::ResultsWriter(std::filesystem::path folder, bool has_cracks)
-    : folder_(std::move(folder)), has_cracks_(has_cracks), matrix_series_(folder_ / "matrix.pvd"),
+ResultsWriter::ResultsWriter(std::filesystem::path folder)
+    : folder_(std::move(folder)), matrix_series_(folder_ / "matrix.pvd"),
       crack_series_(folder_ / "cracks.pvd") {}
 
 template <class Header>
@@ -51,7 +51,7 @@ AppendFile& ResultsWriter::table(const std::string& name, const Header& header) 
 }
 
 void ResultsWriter::on_history(const simulation::HistoryRow& row) {
-  table("history.csv", [&] { return history_header(row); }).append(history_line(row, has_cracks_));
+  table("history.csv", [&] { return history_header(row); }).append(history_line(row));
 }
 
 void ResultsWriter::on_frame(const simulation::Frame& frame) {

@@ -20,8 +20,8 @@ namespace percolith::io {
 /// throws FileError where the system refuses.
 class ResultsWriter : public simulation::Observer {
 public:
-  /// `folder` exists; `has_cracks`: the model has fractures.
-  ResultsWriter(std::filesystem::path folder, bool has_cracks);
+  /// `folder` exists.
+  explicit ResultsWriter(std::filesystem::path folder);
   void on_history(const simulation::HistoryRow& row) override;
   void on_frame(const simulation::Frame& frame) override;
   void on_probes(double time, const std::vector<simulation::ProbeSample>& samples) override;
@@ -44,7 +44,6 @@ private:
   void remove_later_fields() const;
 
   std::filesystem::path folder_;
-  bool has_cracks_;
   std::map<std::string, AppendFile> tables_;  // by name, relative to the folder
   TimeSeries matrix_series_;
   TimeSeries crack_series_;

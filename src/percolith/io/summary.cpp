@@ -34,24 +34,24 @@ Json mass_balance(const simulation::MassBalance& balance) {
           {"by_condition_m2", balance.by_condition}};
 }
 
-Json extremes(const simulation::HistoryRow& last, bool has_cracks) {
+Json extremes(const simulation::HistoryRow& last) {
   Json values = {{"minimum_pressure_Pa", last.minimum_pressure},
                  {"maximum_pressure_Pa", last.maximum_pressure},
                  {"minimum_saturation", last.minimum_saturation}};
-  if (has_cracks) {
-    values["minimum_crack_pressure_Pa"] = last.minimum_crack_pressure;
-    values["maximum_crack_pressure_Pa"] = last.maximum_crack_pressure;
+  if (last.minimum_crack_pressure && last.maximum_crack_pressure) {
+    values["minimum_crack_pressure_Pa"] = *last.minimum_crack_pressure;
+    values["maximum_crack_pressure_Pa"] = *last.maximum_crack_pressure;
   }
   return values;
 }
 
-void add_flow(Json& json, const simulation::Summary& summary, bool has_cracks) {
+void add_flow(Json& json, const simulation::Summary& summary) {
   json["rejected_steps"] = summary.rejected_steps;
   json["iterations"] = summary.iterations;
   json["mass_balance"] = mass_balance(summary.last.balance);
   json["throughput_m2_per_s"] = summary.throughput;
   json["rate_m2_per_s"] = summary.last.rate;
-  json["extremes"] = extremes(summary.last, has_cracks);
+  json["extremes"] = extremes(summary.last);
 }
 
 Json mechanics(const simulation::Summary& summary) {
@@ -95,7 +95,7 @@ std::string summary_json(const RunRecord& record, const simulation::Summary& sum
   json["steps"] = summary.steps;
   json["wall_time_s"] = wall_time;
   if (summary.last.has_flow) {
-    add_flow(json, summary, !record.fractures.empty());
+    add_flow(json, summary);
   }
   if (summary.settlement) {
     json["reached_rest"] = summary.reached_rest;
@@ -106,7 +106,9 @@ std::string summary_json(const RunRecord& record, const simulation::Summary& sum
     json["mechanics"] = mechanics(summary);
   }
   json["state_hash"] = summary.state_hash;
-  json["warnings"] = summary.warnings;
+  std::vector<std::string> warnings = record.warnings;
+  warnings.insert(warnings.end(), summary.warnings.begin(), summary.warnings.end());
+  json["warnings"] = warnings;
   json["regions"] = record.regions;
   json["fractures"] = record.fractures;
   json["threads"] = record.threads;

@@ -23,6 +23,7 @@ struct RunRecord {
   std::string processor;
   std::vector<std::string> regions;    ///< names that `region` of the fields indexes
   std::vector<std::string> fractures;  ///< names that `fracture` of the fields indexes
+  std::vector<std::string> warnings;   ///< of the case file, with their places
 };
 
 /// Text of `summary.json`: how the run ended, steps, wall time per phase, hash of the state; of

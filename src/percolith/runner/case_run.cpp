@@ -67,11 +67,14 @@ std::unique_ptr<CaseRun> CaseRun::reopen(const std::filesystem::path& folder,
   const std::filesystem::path case_file = directory.file("resolved.toml");
   const std::string resolved = io::read_file(case_file);
   // Before the model is built, which may fail for what the next line tells better.
+  const io::CheckpointOrigin& written = checkpoint->origin();
   io::CheckpointOrigin origin =
-      checkpoint_origin(resolved, checkpoint->origin().mesh_hash, checkpoint->origin().case_file);
+      checkpoint_origin(resolved, written.mesh_hash, written.case_file, written.warnings);
   checkpoint->require_origin(origin);
   const CaseSource source{case_file, {}, {}};
   LoadedModel model = load_model(source);
+  // resolved.toml names every option: what its text is warned of is not what the case was.
+  model.read_case.warnings = origin.warnings;
   origin.mesh_hash = model.mesh_hash;
   checkpoint->require_origin(origin);
 

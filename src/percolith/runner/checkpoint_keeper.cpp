@@ -25,10 +25,15 @@ void CheckpointKeeper::on_resume(double time, std::int64_t step) {
 }
 
 io::CheckpointOrigin checkpoint_origin(const std::string& resolved_toml,
-                                       const std::string& mesh_hash, const std::string& case_file) {
+                                       const std::string& mesh_hash, const std::string& case_file,
+                                       const std::vector<std::string>& warnings) {
   ByteHash hash;
   hash.add(resolved_toml);
-  return {version_text(), hash.text(), mesh_hash, case_file};
+  return {.program = version_text(),
+          .case_hash = hash.text(),
+          .mesh_hash = mesh_hash,
+          .case_file = case_file,
+          .warnings = warnings};
 }
 
 }  // namespace percolith::runner

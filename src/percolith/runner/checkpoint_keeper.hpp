@@ -31,9 +31,11 @@ private:
   Tell tell_;
 };
 
-/// What checkpoints of the case with this `resolved.toml` belong to.
+/// What checkpoints of the case with this `resolved.toml` belong to; `warnings` are those of the
+/// case file.
 [[nodiscard]] io::CheckpointOrigin checkpoint_origin(const std::string& resolved_toml,
                                                      const std::string& mesh_hash,
-                                                     const std::string& case_file);
+                                                     const std::string& case_file,
+                                                     const std::vector<std::string>& warnings);
 
 }  // namespace percolith::runner

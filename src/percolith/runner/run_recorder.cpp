@@ -37,6 +37,7 @@ io::RunRecord record_of(const std::string& case_file, const LoadedModel& model) 
   record.processor = io::processor_name();
   record.regions = model.simulation.region_names();
   record.fractures = model.simulation.fracture_names();
+  record.warnings = model.read_case.warnings;
   return record;
 }
 
@@ -74,8 +75,9 @@ RunRecorder::RunRecorder(const io::RunDirectory& directory, const std::string& c
 RunRecorder::RunRecorder(const io::RunDirectory& directory, const std::string& case_file,
                          const LoadedModel& model, const RecorderOptions& options,
                          const std::string& resolved)
-    : RunRecorder(directory, checkpoint_origin(resolved, model.mesh_hash, case_file), model,
-                  options) {
+    : RunRecorder(directory,
+                  checkpoint_origin(resolved, model.mesh_hash, case_file, model.read_case.warnings),
+                  model, options) {
   has_begun_ = true;
   io::write_file(directory.file("resolved.toml"), resolved, io::Durability::synced);
   log_.information(fmt::format("percolith {} runs {} on {} threads of {}", record_.version,
@@ -88,8 +90,7 @@ RunRecorder::RunRecorder(const io::RunDirectory& directory, const std::string& c
 RunRecorder::RunRecorder(const io::RunDirectory& directory, const io::CheckpointOrigin& origin,
                          const LoadedModel& model, const RecorderOptions& options)
     : directory_(directory), model_(model), started_(started_at(model)), options_(options),
-      record_(record_of(origin.case_file, model)),
-      results_(directory.path(), !record_.fractures.empty()),
+      record_(record_of(origin.case_file, model)), results_(directory.path()),
       progress_(progress_line(options.console)), log_(directory.file("run.log"),
                                                       [this](const std::string& line) {
                                                         progress_.clear();

@@ -22,8 +22,7 @@ std::string& table(std::map<std::string, std::string>& tables, const std::string
 }  // namespace
 
 void TextTables::on_history(const simulation::HistoryRow& row) {
-  table(tables_, "history", [&] { return io::history_header(row); }) +=
-      io::history_line(row, has_cracks_);
+  table(tables_, "history", [&] { return io::history_header(row); }) += io::history_line(row);
 }
 
 void TextTables::on_probes(double time, const std::vector<simulation::ProbeSample>& samples) {

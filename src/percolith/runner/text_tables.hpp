@@ -12,8 +12,6 @@ namespace percolith::runner {
 /// `probes/<name>.csv`) in memory, by the name of the file without `.csv`: the same text.
 class TextTables : public simulation::Observer {
 public:
-  /// `has_cracks`: the model has fractures.
-  explicit TextTables(bool has_cracks) : has_cracks_(has_cracks) {}
   void on_history(const simulation::HistoryRow& row) override;
   void on_probes(double time, const std::vector<simulation::ProbeSample>& samples) override;
   void on_events(const std::vector<simulation::BreakEvent>& events) override;
@@ -23,7 +21,6 @@ public:
   [[nodiscard]] const std::map<std::string, std::string>& tables() const { return tables_; }
 
 private:
-  bool has_cracks_;
   int outputs_ = 0;
   std::map<std::string, std::string> tables_;
 };

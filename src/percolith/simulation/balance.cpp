@@ -55,13 +55,11 @@ HistoryRow history_row(const seepage::Model& model, const MassBalance& balance) 
       first = false;
     }
   }
-  first = true;
   for (const Index v : model.cracks.open_nodes()) {
     const double p = s.crack_pressure[at(v)];
-    row.minimum_crack_pressure = first ? p : std::min(row.minimum_crack_pressure, p);
-    row.maximum_crack_pressure = first ? p : std::max(row.maximum_crack_pressure, p);
+    row.minimum_crack_pressure = std::min(row.minimum_crack_pressure.value_or(p), p);
+    row.maximum_crack_pressure = std::max(row.maximum_crack_pressure.value_or(p), p);
     row.minimum_saturation = std::min(row.minimum_saturation, s.crack_saturation[at(v)]);
-    first = false;
   }
   for (std::size_t i = 0; i < model.rate.size(); ++i) {
     row.rate[model.conditions.name[i]] = model.rate[i];

@@ -138,9 +138,10 @@ struct PeakPressure {
 struct HistoryRow {
   double time = 0.0;
   std::int64_t step = 0;
-  double step_size = 0.0;                                             ///< s
-  double minimum_pressure = 0.0, maximum_pressure = 0.0;              ///< Pa, pores
-  double minimum_crack_pressure = 0.0, maximum_crack_pressure = 0.0;  ///< Pa; 0 without cracks
+  double step_size = 0.0;                                 ///< s
+  double minimum_pressure = 0.0, maximum_pressure = 0.0;  ///< Pa, pores
+  /// Pa; absent while no crack is open to fluid.
+  std::optional<double> minimum_crack_pressure{}, maximum_crack_pressure{};
   double minimum_saturation = 1.0;
   MassBalance balance;
   /// Current rate into the model of each condition, m2/s, by its option path.

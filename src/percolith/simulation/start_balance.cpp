@@ -96,6 +96,24 @@ std::vector<std::string> curves_of(const mesh::Mesh& mesh, const std::vector<std
   return names;
 }
 
+/// A sentence, with a space before it, on conditions whose pressure only the fluid feels at edges
+/// that are told of.
+std::string pressure_advice(const Setup& setup, const mesh::Mesh& mesh,
+                            const std::vector<std::uint8_t>& told) {
+  std::string text;
+  for (const auto& [name, b] : setup.boundary) {
+    const std::string path = "boundary." + name;
+    const std::vector<Index> edges = boundary_edges(mesh, b.groups, path + ".groups");
+    if ((b.pressure || b.head) && !b.pressurised &&
+        std::any_of(edges.begin(), edges.end(), [&](Index e) { return told[at(e)] != 0; })) {
+      text += fmt::format(" What {} says of pressure the fluid alone feels: with pressurised = "
+                          "true it presses on the rock as well.",
+                          path);
+    }
+  }
+  return text;
+}
+
 // Rock that nothing holds at all is the matter of a warning of the case file.
 std::string edge_warning(const Setup& setup, const mechanics::Model& model, double stress) {
   const mesh::Mesh& mesh = model.mesh;
@@ -119,9 +137,9 @@ std::string edge_warning(const Setup& setup, const mechanics::Model& model, doub
   return fmt::format(
       "in-situ stress ends at {:.4g} m of edges that do not hold it{}: up to {}, at ({:g}, {:g}). "
       "The rock springs out there when the run starts. A boundary with in_situ = true or a "
-      "pressure holds it; an excavation lets it go slowly",
+      "load holds it; an excavation lets it go slowly.{}",
       length, names.empty() ? "" : " (" + quoted_list(names) + ")",
-      pressure_text(size_of(bare[at(worst)])), p.x, p.y);
+      pressure_text(size_of(bare[at(worst)])), p.x, p.y, pressure_advice(setup, mesh, told));
 }
 
 std::string weight_warning(const Setup& setup, const mesh::Mesh& mesh, double stress) {

@@ -19,7 +19,7 @@ using std::filesystem::exists;
 
 TEST(ResultsWriter, WritesSeriesTablesAndProbes) {
   const test::TemporaryFolder folder;
-  ResultsWriter writer(folder.path(), true);
+  ResultsWriter writer(folder.path());
   const std::vector<simulation::ProbeSample> samples = {{"well", {"pressure_Pa"}, {{{0, 1}, {5}}}}};
   for (const double time : {0.0, 0.1}) {
     simulation::HistoryRow row;
@@ -77,7 +77,7 @@ TEST(ResultsWriter, GoesOnFromWhereItWasAndTakesBackTheRest) {
   std::string bytes;
   std::map<std::string, std::string> kept;
   {
-    ResultsWriter writer(folder.path(), true);
+    ResultsWriter writer(folder.path());
     report_all(writer, 0.0, false);
     writer.sync();
     StateWriter state([&](std::string_view part) { bytes += part; });
@@ -91,7 +91,7 @@ TEST(ResultsWriter, GoesOnFromWhereItWasAndTakesBackTheRest) {
   const auto before = content(folder.path());
   kept[(folder / "fields/matrix_notes.txt").string()] = "mine";
   StateReader state(bytes, "checkpoint");
-  ResultsWriter writer(folder.path(), true);
+  ResultsWriter writer(folder.path());
   state("results", writer);
   EXPECT_EQ(content(folder.path()), before);
   writer.on_resume(0.5, 1);
@@ -107,14 +107,14 @@ TEST(ResultsWriter, RefusesTablesThatHaveLostRows) {
   const test::TemporaryFolder folder;
   std::string bytes;
   {
-    ResultsWriter writer(folder.path(), true);
+    ResultsWriter writer(folder.path());
     report_all(writer, 0.0, false);
     StateWriter state([&](std::string_view part) { bytes += part; });
     state("results", writer);
   }
   test::write_text(folder / "events.csv", "time_s\n");
   StateReader state(bytes, "checkpoint");
-  ResultsWriter writer(folder.path(), true);
+  ResultsWriter writer(folder.path());
   try {
     state("results", writer);
     ADD_FAILURE() << "no error";
@@ -126,7 +126,7 @@ TEST(ResultsWriter, RefusesTablesThatHaveLostRows) {
 
 TEST(ResultsWriter, StartsTheCrackSeriesWithTheFirstCrack) {
   const test::TemporaryFolder folder;
-  ResultsWriter writer(folder.path(), false);
+  ResultsWriter writer(folder.path());
   simulation::Frame intact = test::cracked_square(0);
   intact.cracks = {};
   writer.on_frame(intact);
@@ -137,7 +137,7 @@ TEST(ResultsWriter, StartsTheCrackSeriesWithTheFirstCrack) {
 
 TEST(ResultsWriter, AppendsEventsAsTheyCome) {
   const test::TemporaryFolder folder;
-  ResultsWriter writer(folder.path(), false);
+  ResultsWriter writer(folder.path());
   EXPECT_FALSE(exists(folder / "events.csv"));
   writer.on_events({});
   const std::string header = "time_s,step,x_m,y_m,mode,length_m,released_energy_J_per_m,"
@@ -155,7 +155,7 @@ TEST(ResultsWriter, AppendsEventsAsTheyCome) {
 
 TEST(ResultsWriter, AppendsTheFragmentsOfEveryFrame) {
   const test::TemporaryFolder folder;
-  ResultsWriter writer(folder.path(), false);
+  ResultsWriter writer(folder.path());
   EXPECT_FALSE(exists(folder / "fragments.csv"));
   writer.on_fragments(0.0, {{0, 8, 2.0, {0.5, 1.0}, {0.0, 0.0}}});
   writer.on_fragments(
@@ -169,7 +169,7 @@ TEST(ResultsWriter, AppendsTheFragmentsOfEveryFrame) {
 
 TEST(ResultsWriter, LeavesWholeLinesOfEventsWhereTheDiskFillsUp) {
   const test::TemporaryFolder folder;
-  ResultsWriter writer(folder.path(), false);
+  ResultsWriter writer(folder.path());
   writer.on_events({simulation::BreakEvent{}});
   const std::string before = test::read_text(folder / "events.csv");
   {
@@ -182,14 +182,14 @@ TEST(ResultsWriter, LeavesWholeLinesOfEventsWhereTheDiskFillsUp) {
 
 TEST(ResultsWriter, KeepsProbesWithOddNamesInTheirFolder) {
   const test::TemporaryFolder folder;
-  ResultsWriter writer(folder.path(), false);
+  ResultsWriter writer(folder.path());
   writer.on_probes(0, {{"../up", {"pressure_Pa"}, {}}});
   EXPECT_TRUE(exists(folder / "probes/%2E.%2Fup.csv"));
 }
 
 TEST(ResultsWriter, LeavesAWholeSeriesWhereTheDiskFillsUp) {
   const test::TemporaryFolder folder;
-  ResultsWriter writer(folder.path(), false);
+  ResultsWriter writer(folder.path());
   writer.on_frame(test::cracked_square(0));
   const std::string before = test::read_text(folder / "matrix.pvd");
   {

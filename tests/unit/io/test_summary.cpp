@@ -18,7 +18,8 @@ RunRecord record() {
           .threads = 2,
           .processor = "P",
           .regions = {"rock"},
-          .fractures = {"fault"}};
+          .fractures = {"fault"},
+          .warnings = {"a/case.toml:3:1: warning: odd"}};
 }
 
 simulation::Summary summary() {
@@ -30,6 +31,7 @@ simulation::Summary summary() {
   summary.wall_time = {{"solve", 1.5}, {"output", 0.25}};
   summary.last.minimum_pressure = -1;
   summary.last.maximum_pressure = 0.1;
+  summary.last.minimum_crack_pressure = 2;
   summary.last.maximum_crack_pressure = 3;
   summary.last.balance = {3, 1, 1.5, 9, 0.5, 0.125, {{"boundary.left", 2}}};
   summary.last.rate = {{"boundary.left", 0.75}};
@@ -66,7 +68,7 @@ TEST(Summary, TellsHowTheRunWent) {
   EXPECT_EQ(json["extremes"]["maximum_pressure_Pa"], 0.1);
   EXPECT_EQ(json["extremes"]["maximum_crack_pressure_Pa"], 3.0);
   EXPECT_EQ(json["state_hash"], "abc");
-  EXPECT_EQ(json["warnings"], nlohmann::json{"coarse"});
+  EXPECT_EQ(json["warnings"], (nlohmann::json{"a/case.toml:3:1: warning: odd", "coarse"}));
   EXPECT_EQ(json["regions"], nlohmann::json{"rock"});
   EXPECT_EQ(json["fractures"], nlohmann::json{"fault"});
   EXPECT_EQ(json["threads"], 2);
@@ -77,7 +79,6 @@ TEST(Summary, TellsWhyARunEndedEarly) {
   RunRecord failed = record();
   failed.outcome = Outcome::failed;
   failed.reason = "pressure is not a number";
-  failed.fractures.clear();
   failed.title = "caf\xe9";  // not UTF-8
   simulation::Summary broken = summary();
   broken.last.maximum_pressure = std::numeric_limits<double>::quiet_NaN();
@@ -85,7 +86,10 @@ TEST(Summary, TellsWhyARunEndedEarly) {
   EXPECT_EQ(json["outcome"], "failed");
   EXPECT_EQ(json["reason"], "pressure is not a number");
   EXPECT_TRUE(json["extremes"]["maximum_pressure_Pa"].is_null());
-  EXPECT_FALSE(json["extremes"].contains("maximum_crack_pressure_Pa"));
+  EXPECT_EQ(json["extremes"]["maximum_crack_pressure_Pa"], 3.0);
+  broken.last.maximum_crack_pressure.reset();
+  EXPECT_FALSE(nlohmann::json::parse(summary_json(failed, broken, {}))["extremes"].contains(
+      "maximum_crack_pressure_Pa"));
   failed.outcome = Outcome::interrupted;
   EXPECT_EQ(nlohmann::json::parse(summary_json(failed, broken, {}))["outcome"], "interrupted");
 }

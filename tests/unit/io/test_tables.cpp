@@ -61,9 +61,11 @@ TEST(History, NamesEveryColumnWithItsUnit) {
 }
 
 TEST(History, WritesOneLineARow) {
-  EXPECT_EQ(history_line(row(), true),
-            "2.5,4,0.5,-1,100000,10,20,0.5,3,1,1.5,9,0.5,0.125,0.25,-0.75\n");
-  EXPECT_EQ(history_line(row(), false),
+  EXPECT_EQ(history_line(row()), "2.5,4,0.5,-1,100000,10,20,0.5,3,1,1.5,9,0.5,0.125,0.25,-0.75\n");
+  simulation::HistoryRow without_cracks = row();
+  without_cracks.minimum_crack_pressure.reset();
+  without_cracks.maximum_crack_pressure.reset();
+  EXPECT_EQ(history_line(without_cracks),
             "2.5,4,0.5,-1,100000,,,0.5,3,1,1.5,9,0.5,0.125,0.25,-0.75\n");
 }
 
@@ -76,7 +78,7 @@ TEST(History, OfMechanicsHasItsOwnColumnsOnly) {
   mechanics.mechanics = {{"kinetic_J_per_m", 0.25}, {"boundary.a,b.reaction_x_N_per_m", -3}};
   EXPECT_EQ(history_header(mechanics),
             "time_s,step,step_size_s,kinetic_J_per_m,\"boundary.a,b.reaction_x_N_per_m\"\n");
-  EXPECT_EQ(history_line(mechanics, true), "2.5,4,0.5,0.25,-3\n");
+  EXPECT_EQ(history_line(mechanics), "2.5,4,0.5,0.25,-3\n");
 }
 
 simulation::BreakEvent event(simulation::BreakMode mode) {

@@ -74,7 +74,7 @@ TEST(CoupledRuns, AWellIsShutInAndFlowsBack) {
     return value_of(row_at(recorder.history, time).mechanics, "source.pump.volume_m2");
   };
   const auto pressure = [&](double time) {
-    return row_at(recorder.history, time).maximum_crack_pressure;
+    return row_at(recorder.history, time).maximum_crack_pressure.value();
   };
   // The integral of the schedule; a step takes the rate at its end.
   const double pumped_in = 2e-2 * 1e-3 + 0.5 * 2e-2 * 1e-6;

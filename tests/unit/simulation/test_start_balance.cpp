@@ -39,6 +39,24 @@ TEST(StartBalance, EdgesThatDoNotHoldTheInSituStressAreToldOf) {
               Each(Not(HasSubstr("in-situ"))));
 }
 
+/// Coupled physics is one of two in which a boundary has a pressure; only there it can press.
+TEST(StartBalance, APressureThatTheFluidAloneFeelsHoldsNothing) {
+  simulation::Setup setup = pressed({"left", "right", "top"});
+  setup.model.physics = Physics::coupled;
+  setup.time.scheme = Scheme::explicit_;
+  setup.material["sandstone"].rock.permeability = {1e-15, 1e-15, 0.0};
+  setup.material["sandstone"].rock.porosity = 0.1;
+  setup.new_cracks = NewCracks{};
+  setup.boundary["bottom"] = test::on("bottom");
+  setup.boundary["bottom"].pressure = Schedule::constant(12e6);
+  EXPECT_THAT(
+      warnings_of(setup),
+      Contains(HasSubstr("What boundary.bottom says of pressure the fluid alone feels: with "
+                         "pressurised = true it presses on the rock as well.")));
+  setup.boundary["bottom"].pressurised = true;
+  EXPECT_THAT(warnings_of(setup), Each(Not(HasSubstr("in-situ"))));
+}
+
 TEST(StartBalance, LoadsHoldAndAbsorbingEdgesGiveWay) {
   simulation::Setup setup = pressed({"left", "right", "top"});
   setup.boundary["bottom"] = test::on("bottom");
