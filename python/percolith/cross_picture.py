@@ -27,9 +27,10 @@ def one_a_square(places: np.ndarray, spacing: float) -> np.ndarray:
     return nearest[first]
 
 
-def cross_handles(longest: float) -> list[Line2D]:
-    """Entries of the legend, with the stress (Pa) of the longest line."""
-    size = format_value(longest, pressure_scale([longest]))
+def cross_handles(longest: float, is_cut: bool = False) -> list[Line2D]:
+    """Entries of the legend, with the stress (Pa) of the longest line, and whether lines of larger
+    ones are cut."""
+    size = format_value(longest, pressure_scale([longest])) + " (larger ones cut)" * is_cut
     return [Line2D([], [], color=_TENSION, linewidth=2.2, label="tension"),
             Line2D([], [], color=_COMPRESSION, linewidth=2.2, label="compression"),
             Line2D([], [], linestyle="none", label=f"longest cross: {size}")]

@@ -16,8 +16,10 @@ from percolith.crack_fields import (
     shown_values,
 )
 from percolith.crack_picture import MODES, OUTLINE
+from percolith.map_picture import map_axes
 from percolith.model_figure import fitting_columns
 from percolith.overlays import CRACKS, Overlays, check_overlays
+from percolith.run_directory import Frame
 from percolith.view import view_of_frame, view_of_times
 from synthetic_coupled_run import OPENING, PRESSURE
 from synthetic_run import write_mechanics_run
@@ -110,7 +112,41 @@ def test_the_legend_tells_the_stress_of_the_longest_cross(block):
     stress = np.abs(block.frame().matrix.cell_data["principal_stress_2_Pa"])
     longest = f"longest cross: {np.percentile(stress, 95) / 1e6:.3g} MPa"
     assert longest in labels(block.plot("principal_stress_2"))
-    assert longest in labels(block.plot("damage", crosses=True))  # the larger of both
+    assert longest in labels(block.plot("principal_stress_1"))  # one scale, whatever lies beneath
+    assert longest in labels(block.plot("damage", crosses=True))
+
+
+def pressed(run, *, peak: float = 1.0) -> Frame:
+    """The last frame under -8 and -12 MPa; `peak` times as much in its first triangle."""
+    frame = run.frame()
+    for name, stress in (("principal_stress_1_Pa", -8e6), ("principal_stress_2_Pa", -12e6)):
+        values = np.full(len(frame.matrix.cells), stress)
+        values[0] *= peak
+        frame.matrix.cell_data[name] = values
+    return frame
+
+
+def drawn_map(run, frame, field):
+    overlays = Overlays(crosses=True, cracks="none")
+    return map_axes(run, frame, field, view_of_frame(run, frame, field, 1.0, overlays=overlays))
+
+
+@pytest.mark.parametrize("field", ["principal_stress_1", "principal_stress_2", "displacement"])
+def test_arms_of_crosses_are_as_long_as_their_stress(block, field):
+    axes = drawn_map(block, pressed(block), field)
+    lines = np.concatenate([one.get_segments() for one in axes.collections
+                            if isinstance(one, LineCollection) and len(one.get_segments())])
+    lengths = np.sort(np.hypot(*(lines[:, 1] - lines[:, 0]).T))
+    assert len(lengths) > 100
+    half = len(lengths) // 2
+    assert np.allclose(lengths[:half], lengths[-1] * 8 / 12)
+    assert np.allclose(lengths[half:], lengths[-1])
+
+
+def test_the_legend_tells_of_crosses_that_are_cut(block):
+    for peak, is_cut in ((1.0, False), (1.04, False), (3.0, True)):
+        names = labels(drawn_map(block, pressed(block, peak=peak), "principal_stress_1"))
+        assert f"longest cross: 12 MPa{' (larger ones cut)' * is_cut}" in names
 
 
 def test_arrows_lie_over_any_field_of_a_run_with_flow(coupled):
