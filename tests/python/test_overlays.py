@@ -16,6 +16,7 @@ from percolith.crack_fields import (
     shown_values,
 )
 from percolith.crack_picture import MODES, OUTLINE
+from percolith.cross_picture import draw_arrows
 from percolith.map_picture import map_axes
 from percolith.model_figure import fitting_columns
 from percolith.overlays import CRACKS, Overlays, check_overlays
@@ -155,6 +156,34 @@ def test_arrows_lie_over_any_field_of_a_run_with_flow(coupled):
         (arrows,) = (one for one in axes.collections if isinstance(one, Quiver))
         assert arrows.N > 100 and any(name.startswith("longest arrow:") for name in labels(axes))
     assert not any(isinstance(one, Quiver) for one in coupled.plot("pressure").collections)
+
+
+def test_fluxes_that_are_next_to_nothing_have_no_arrows(coupled):
+    frame = coupled.frame()
+    flow = np.tile([1e-6, 0.0], (len(frame.matrix.cells), 1))
+    left = frame.matrix.points[frame.matrix.cells].mean(axis=1)[:, 0] < np.median(
+        frame.matrix.points[:, 0])
+    frame.matrix.cell_data["darcy_flux_m_per_s"] = flow
+
+    def count(small):
+        flow[left, 0] = small
+        view = view_of_frame(coupled, frame, "pressure", 1.0, overlays=Overlays(arrows=True))
+        axes = map_axes(coupled, frame, "pressure", view)
+        axes.figure.canvas.draw()
+        return sum(one.N for one in axes.collections if isinstance(one, Quiver))
+
+    every, some = count(2.1e-8), count(1.9e-8)
+    assert 0.3 * every < some < 0.7 * every
+    assert count(0.0) == some
+
+
+def test_a_moment_of_a_series_at_which_nothing_flows_has_no_arrows(coupled):
+    frame = coupled.frame()
+    frame.matrix.cell_data["darcy_flux_m_per_s"] = np.zeros((len(frame.matrix.cells), 2))
+    axes = plt.figure().gca()
+    draw_arrows(axes, frame, frame.matrix.points, 1e-6)  # of another moment
+    axes.figure.canvas.draw()
+    assert all(one.N == 0 for one in axes.collections)
 
 
 def test_fluxes_of_rock_and_cracks_have_colours_of_their_own(coupled):
