@@ -17,6 +17,7 @@ from percolith.errors import (
     MeshError,
     Problem,
     SolverError,
+    UnknownNameError,
 )
 from percolith.processor import require_processor
 from percolith.run_directory import Frame, RunDirectory, RunDirectoryError, Table, open_run
@@ -43,7 +44,7 @@ _LATER = {
 __all__ = [
     "Case", "CaseError", "CaseWarning", "Error", "FileError", "Frame", "Grid", "MeshError",
     "Option", "Problem", "RunDirectory", "RunDirectoryError", "Simulation", "SolverError", "Sweep",
-    "SweepProgress", "Table", "VtuError", "__version__", "describe", "mesh", "open_run", "option_names", "quantity",
+    "SweepProgress", "Table", "UnknownNameError", "VtuError", "__version__", "describe", "mesh", "open_run", "option_names", "quantity",
     "read_vtu", "report", "resume", "sweep",
 ]
 

@@ -141,7 +141,7 @@ class Case(Options):
         return value
 
     def _set(self, path: str, value: Any) -> None:
-        value = plain(value)
+        value = plain(value, path)
         names = path.split(".")
         table = self._tree
         for name in names[:-1]:

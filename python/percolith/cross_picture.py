@@ -17,6 +17,7 @@ _TENSION, _COMPRESSION = "#D7191C", "#2C4FBB"
 _ARROW, _ARROW_EDGE = "white", "#202020"
 _CROSSES, _ARROWS = 20, 25  # across the model
 _SMALLEST = 0.05  # of the longest: a shorter line is left out
+_SMALLEST_ARROW = 0.02  # of the longest: a shorter arrow is but a dot
 
 
 def one_a_square(places: np.ndarray, spacing: float) -> np.ndarray:
@@ -27,9 +28,10 @@ def one_a_square(places: np.ndarray, spacing: float) -> np.ndarray:
     return nearest[first]
 
 
-def cross_handles(longest: float) -> list[Line2D]:
-    """Entries of the legend, with the stress (Pa) of the longest line."""
-    size = format_value(longest, pressure_scale([longest]))
+def cross_handles(longest: float, is_cut: bool = False) -> list[Line2D]:
+    """Entries of the legend, with the stress (Pa) of the longest line, and whether lines of larger
+    ones are cut."""
+    size = format_value(longest, pressure_scale([longest])) + " (larger ones cut)" * is_cut
     return [Line2D([], [], color=_TENSION, linewidth=2.2, label="tension"),
             Line2D([], [], color=_COMPRESSION, linewidth=2.2, label="compression"),
             Line2D([], [], linestyle="none", label=f"longest cross: {size}")]
@@ -71,14 +73,15 @@ def arrow_handles(longest: float) -> list[Line2D]:
 
 def draw_arrows(axes, frame: Frame, points: np.ndarray, longest: float) -> None:
     """Direction and size of the Darcy flux at about 25 places across the model. A flux above
-    `longest` (m/s) is cut."""
+    `longest` (m/s) is cut, and one that is next to nothing beside it has no arrow."""
     if not len(frame.matrix.cells) or longest <= 0.0:
         return
     centre = points[frame.matrix.cells].mean(axis=1)
     flow = flux(frame)
     spacing = max(np.ptp(centre, axis=0)) / _ARROWS or 1.0
-    chosen = one_a_square(centre, spacing)
     size = np.hypot(*flow.T)
+    chosen = one_a_square(centre, spacing)
+    chosen = chosen[size[chosen] >= _SMALLEST_ARROW * longest]
     length = (np.minimum(size, longest) / np.where(size > 0, size, 1.0) * 0.9 * spacing / longest)
     # Shafts and heads are measured in the longer side of the axes.
     slender = np.ptp(axes.get_ylim()) / np.ptp(axes.get_xlim())

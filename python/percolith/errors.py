@@ -3,8 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import difflib
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+
+_MOST_NAMES = 30  # in a message
 
 
 @dataclass(frozen=True)
@@ -48,6 +51,24 @@ class FileError(Error, OSError):
 
 class MeshError(Error, ValueError):
     """A geometry cannot be meshed as it was asked for."""
+
+
+class UnknownNameError(Error, KeyError):
+    """A table or a frame has nothing of this name. The message tells what it has, the nearest name
+    first."""
+
+    def __str__(self) -> str:
+        return Exception.__str__(self)  # that of KeyError puts the message into quotes
+
+
+def unknown_name(what: str, name: object, known: Iterable[str]) -> UnknownNameError:
+    """The error that there is no `what` of this name, only those known."""
+    names = list(known)
+    near = difflib.get_close_matches(str(name), names, n=3)
+    ordered = near + [other for other in names if other not in near]
+    more = f" and {len(ordered) - _MOST_NAMES} more" if len(ordered) > _MOST_NAMES else ""
+    told = ", ".join(ordered[:_MOST_NAMES]) or "none"
+    return UnknownNameError(f"no {what} {name}; there are: {told}{more}")
 
 
 class CaseWarning(UserWarning):

@@ -109,7 +109,7 @@ def map_axes(run: RunDirectory, frame: Frame, field: str, view: View, axes=None)
     handles += _draw_cracks(model, frame, points, field, view)
     if view.cross is not None:
         draw_crosses(model.axes, frame, points, view.cross)
-        handles += cross_handles(view.cross)
+        handles += cross_handles(view.cross, view.cuts_crosses)
     if view.arrow is not None:
         handles += arrow_handles(view.arrow)
     _add_bars(model, rock, frame, field, view)

@@ -69,12 +69,17 @@ def _quantities_of_cracks(run: RunDirectory) -> list[str]:
     return [name for name in names if (run.has_flow if name in of_fluid else run.has_mechanics)]
 
 
-def cross_size(frame: Frame, field: str) -> float:
-    """The stress (Pa) that the longest line of a cross stands for: of the picture's own principal
-    stress, or the larger of both."""
-    names = [STRESSES[field]] if field in STRESSES else list(STRESSES.values())
-    size = np.max([np.abs(array_of(frame.matrix.cell_data, name)) for name in names], axis=0)
-    return _largest(size)
+def stress_sizes(frame: Frame) -> np.ndarray:
+    """The larger magnitude of both principal stresses (Pa) of every triangle, (n,)."""
+    data = frame.matrix.cell_data
+    return np.max([np.abs(array_of(data, name)) for name in STRESSES.values()], axis=0)
+
+
+def cross_size(frame: Frame) -> float:
+    """The stress (Pa) that the longest line of a cross stands for. It is one of both principal
+    stresses, whichever the picture shows: by the smaller of them alone, the longer arms would be
+    cut to the length of the shorter ones, and all crosses look alike."""
+    return _largest(stress_sizes(frame))
 
 
 def arrow_size(frame: Frame) -> float:

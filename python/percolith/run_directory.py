@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
-from percolith.errors import Error, FileError
+from percolith.errors import Error, FileError, unknown_name
 from percolith.run_pictures import RunPictures
 from percolith.times import ALLOWED, seconds
 from percolith.vtu import Grid, VtuError, read_vtu
@@ -99,11 +99,14 @@ class Frame:
 
 @dataclass
 class Table:
-    """Columns of a CSV file by their names, in the order of the file."""
+    """Columns of a CSV file by their names, in the order of the file. A name that is not there
+    raises UnknownNameError, a KeyError that tells those that are."""
 
     columns: dict[str, np.ndarray]
 
     def __getitem__(self, name: str) -> np.ndarray:
+        if name not in self.columns:
+            raise unknown_name("column", name, self.columns)
         return self.columns[name]
 
     def __contains__(self, name: str) -> bool:
@@ -121,8 +124,11 @@ class Table:
 
     def to_pandas(self) -> pandas.DataFrame:
         """The table as a frame of pandas. Raises ImportError where that is not installed."""
-        import pandas
-
+        try:
+            import pandas
+        except ImportError as error:
+            raise ImportError("tables become those of the package pandas: pip install pandas"
+                              ) from error
         return pandas.DataFrame(self.columns)
 
     def at_time(self, time: float | None = None) -> Table:
@@ -186,6 +192,19 @@ class RunDirectory(RunPictures):
                 f"{path}: not a run directory (no resolved.toml); "
                 "make one with `percolith run CASE.toml --output DIR`"
             )
+
+    def __repr__(self) -> str:
+        # Reads anew, and keeps nothing: to look at a run that goes on must not freeze its frames.
+        try:
+            return (f"RunDirectory({str(self.path)!r}, outcome={self._present_outcome()}, "
+                    f"frames={len(_series(self.path / 'matrix.pvd'))})")
+        except Error:
+            return f"RunDirectory({str(self.path)!r}, damaged)"
+
+    def _present_outcome(self) -> str:
+        if not self.has_summary:
+            return "none yet"
+        return read_file(self.path / "summary.json", _summary).get("outcome", "finished")
 
     @cached_property
     def resolved(self) -> dict:

@@ -251,7 +251,10 @@ class Simulation:
 
     def probe(self, name: str) -> Table:
         """The probe of this name now: a row a place, with time_s, x_m, y_m and its quantities."""
-        return self._table(self._run.present_tables(), f"probes/{name}", f"no probe {name}")
+        tables, folder = self._run.present_tables(), "probes/"
+        known = [one.removeprefix(folder) for one in tables if one.startswith(folder)]
+        return self._table(tables, folder + name,
+                           f"no probe {name}; there are: {', '.join(sorted(known)) or 'none'}")
 
     @property
     def history(self) -> Table:
@@ -261,14 +264,17 @@ class Simulation:
     @property
     def events(self) -> Table:
         """Joints that broke so far, in the order of time; `mode` and `material` are text."""
-        return self._table(self._run.tables, "events", "a run of flow has no events, and others "
-                           "none before they start")
+        return self._table(self._run.tables, "events", self._why_no("events"))
 
     @property
     def fragments(self) -> Table:
         """Pieces of rock at the times of output so far."""
-        return self._table(self._run.tables, "fragments", "a run of flow has no fragments, and "
-                           "others none before they start")
+        return self._table(self._run.tables, "fragments", self._why_no("fragments"))
+
+    def _why_no(self, pieces: str) -> str:
+        if self.motion is None:
+            return f"a run of flow has no {pieces}"
+        return f"there are no {pieces} before the run starts; advance it first"
 
     def probe_history(self, name: str) -> Table:
         """Rows of a probe at all times of output so far."""

@@ -299,7 +299,7 @@ def _points(options: Mapping[str, Sequence[Any]] | Sequence[Mapping[str, Any]]) 
     for key, values in options.items():
         if isinstance(values, (str, Mapping)) or not hasattr(values, "__iter__"):
             raise CaseError(f"error: {key} = {values!r}: no list of values to run through")
-        lists[key] = [plain(value) for value in values]
+        lists[key] = [plain(value, key) for value in values]
     return [dict(zip(lists, values)) for values in itertools.product(*lists.values())]
 
 

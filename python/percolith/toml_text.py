@@ -18,29 +18,36 @@ import numpy as np
 from percolith.errors import CaseError
 
 
-def plain(value: Any) -> Any:
-    """The value as TOML knows it: dict, list, str, bool, int or float. Raises CaseError."""
+def plain(value: Any, path: str = "") -> Any:
+    """The value as TOML knows it: dict, list, str, bool, int or float. Raises CaseError, which
+    names the option at the dotted path where that is given."""
     if isinstance(value, (bool, str)):
         return value
     if isinstance(value, np.generic):
-        return plain(value.item())
+        return plain(value.item(), path)
     if isinstance(value, (int, float)):
         return value
     if isinstance(value, np.ndarray):
-        return plain(value.tolist())
+        return plain(value.tolist(), path)
     if isinstance(value, os.PathLike):
         return os.fspath(value)
     if isinstance(value, Mapping):
-        return {_name(key): plain(entry) for key, entry in value.items()}
+        return {_name(key, path): plain(entry, f"{path}.{key}" if path else str(key))
+                for key, entry in value.items()}
     if isinstance(value, (list, tuple)):
-        return [plain(entry) for entry in value]
-    raise CaseError(f"error: {value!r}: a {type(value).__name__} is no value of an option; "
-                    "allowed: numbers, texts such as \"2 MPa\", true or false, lists, dictionaries")
+        return [plain(entry, path) for entry in value]
+    raise CaseError(f"error: {_of(path, ' = ')}{value!r}: a {type(value).__name__} is no value of "
+                    "an option; allowed: numbers, texts such as \"2 MPa\", true or false, lists, "
+                    "dictionaries")
 
 
-def _name(key: Any) -> str:
+def _of(path: str, mark: str) -> str:
+    return f"{path}{mark}" if path else ""
+
+
+def _name(key: Any, path: str) -> str:
     if not isinstance(key, str):
-        raise CaseError(f"error: {key!r}: names of options are texts")
+        raise CaseError(f"error: {_of(path, ': ')}{key!r}: names of options are texts")
     return key
 
 

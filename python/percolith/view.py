@@ -21,13 +21,14 @@ from percolith.mechanics_fields import (
     rock_and_bodies,
     values_of,
 )
-from percolith.overlays import Overlays, arrow_size, cross_size
+from percolith.overlays import Overlays, arrow_size, cross_size, stress_sizes
 from percolith.run_directory import Frame, RunDirectory
 from percolith.vtu import Grid
 from percolith.window import check_shows, visible
 
 STILL, ANIMATED = 256, 64  # colours of the map
 _PIXELS = 700  # along the longer side of the window
+_CUT = 1.05  # times the stress of the longest cross: a cut below is less than the eye can see
 
 
 @dataclass(frozen=True)
@@ -44,6 +45,7 @@ class View:
     is_part: bool = False  # whether the window was asked for, and may cut the model
     cross: float | None = None  # stress (Pa) that the longest cross stands for; None without them
     arrow: float | None = None  # Darcy flux (m/s) of the longest arrow; None without them
+    cuts_crosses: bool = False  # whether stresses go visibly beyond that of the longest cross
 
     @property
     def step(self) -> float:
@@ -95,6 +97,7 @@ class _Seen:
     modes: set[int] = dataclass_field(default_factory=set)
     crosses: list[float] = dataclass_field(default_factory=list)
     arrows: list[float] = dataclass_field(default_factory=list)
+    largest_stress: float = 0.0  # Pa
     triangles: int = 0
     deforms: bool = False
     array: str = ""  # that the field is in
@@ -107,9 +110,22 @@ class _Seen:
         self.rock.append((rock_values if of_flow else values_of)(frame, self.field))
         self.cracks.append(shown_values(frame, self.crack_colours))
         if self.overlays.has_crosses(self.field, self.crack_colours):
-            self.crosses.append(cross_size(frame, self.field))
+            self.crosses.append(cross_size(frame))
+            self.largest_stress = max(self.largest_stress,
+                                      float(np.nanmax(stress_sizes(frame), initial=0.0)))
         if self.overlays.has_arrows(self.field):
             self.arrows.append(arrow_size(frame))
+
+    @property
+    def longest_cross(self) -> float | None:
+        """The stress (Pa) of the longest cross of all frames; None without crosses."""
+        return max(self.crosses, default=None)
+
+    @property
+    def cuts_crosses(self) -> bool:
+        """Whether lines of crosses are visibly shorter than their stress. Asked of the series, not
+        of each picture, so that all have the same legend."""
+        return bool(self.crosses) and self.largest_stress > _CUT * self.longest_cross
 
     @property
     def shares_colours(self) -> bool:
@@ -161,7 +177,7 @@ def view_of(run: RunDirectory, frames: Sequence[Callable[[], Frame]], field: str
     rock, cracks = _ranges(seen)
     return View(seen.extent if window is None else window, scale, rock, cracks,
                 tuple(sorted(seen.modes)), seen.crack_colours, colours, window is not None,
-                max(seen.crosses, default=None), max(seen.arrows, default=None))
+                seen.longest_cross, max(seen.arrows, default=None), seen.cuts_crosses)
 
 
 def view_of_frame(run: RunDirectory, frame: Frame, field: str, scale: float | None = None,

@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from percolith.compressed_blocks import unpack
-from percolith.errors import Error, FileError
+from percolith.errors import Error, FileError, unknown_name
 
 _TYPES = {"Float64": "<f8", "Float32": "<f4", "Int32": "<i4", "Int64": "<i8", "UInt8": "u1"}
 
@@ -28,14 +28,24 @@ class VtuError(Error, ValueError):
     """The file is no field file of Percolith, or it is damaged."""
 
 
+class _Arrays(dict[str, np.ndarray]):
+    """Arrays by name, where a name that is not there tells those that are."""
+
+    def __missing__(self, name: object) -> np.ndarray:
+        raise unknown_name("array", name, self)
+
+
 class LazyArrays(MutableMapping[str, np.ndarray]):
-    """Arrays by name, unpacked when first asked for."""
+    """Arrays by name, unpacked when first asked for. A name that is not there tells those that
+    are."""
 
     def __init__(self, makers: dict[str, Callable[[], np.ndarray]]):
         self._makers = makers
         self._made: dict[str, np.ndarray] = {}
 
     def __getitem__(self, name: str) -> np.ndarray:
+        if name not in self._makers:
+            raise unknown_name("array", name, self)
         if name not in self._made:
             self._made[name] = self._makers[name]()
         return self._made[name]
@@ -74,8 +84,8 @@ class Grid:
                  point_data: Mapping[str, np.ndarray] | None = None,
                  cell_data: Mapping[str, np.ndarray] | None = None, time: float = 0.0):
         self._mesh = {"points": points, "cells": cells}
-        self.point_data = {} if point_data is None else point_data
-        self.cell_data = {} if cell_data is None else cell_data
+        self.point_data = _named(point_data)
+        self.cell_data = _named(cell_data)
         self.time = time
         self._found: dict[tuple[Grid, Callable[[Grid, Grid], Any]], Any] = {}
 
@@ -101,6 +111,10 @@ class Grid:
         if callable(self._mesh[name]):
             self._mesh[name] = self._mesh[name]()
         return self._mesh[name]
+
+
+def _named(data: Mapping[str, np.ndarray] | None) -> MutableMapping[str, np.ndarray]:
+    return data if isinstance(data, LazyArrays | _Arrays) else _Arrays(data or {})
 
 
 def read_vtu(path: str | os.PathLike) -> Grid:

@@ -57,6 +57,19 @@ def test_a_copy_is_a_case_of_its_own(strip):
     assert strip["time.end"] == "0.02 s"
 
 
+@pytest.mark.parametrize("value, message", [
+    (None, "^error: probe.middle = None: a NoneType is no value"),
+    ([1, None], "^error: probe.middle = None: "),
+    ({"point": [None]}, "^error: probe.middle.point = None: "),
+    ({1: 2}, "^error: probe.middle: 1: names of options are texts"),
+])
+def test_values_that_no_option_can_have_name_the_option(value, message):
+    case = percolith.Case()
+    with pytest.raises(percolith.CaseError, match=message):
+        case["probe.middle"] = value
+    assert "probe" not in case
+
+
 @pytest.mark.parametrize("value", [None, object(), {1: 2}, 1j])
 def test_a_value_that_is_none_is_refused_at_once(strip, value):
     with pytest.raises(percolith.CaseError, match="error: "):

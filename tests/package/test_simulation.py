@@ -179,11 +179,22 @@ def test_what_a_run_lacks_is_told(strip, mechanics):
     with pytest.raises(percolith.RunDirectoryError, match="no energies"):
         flow.energies
     assert flow.motion is None
-    with pytest.raises(percolith.RunDirectoryError, match="no probe nothing"):
+    with pytest.raises(percolith.RunDirectoryError, match="^no probe nothing; there are: centre$"):
         flow.probe("nothing")
     with pytest.raises(percolith.RunDirectoryError, match="writes no results"):
         flow.results()
+    flow.advance(steps=1)
+    for pieces in ("events", "fragments"):
+        with pytest.raises(percolith.RunDirectoryError, match=f"^a run of flow has no {pieces}$"):
+            getattr(flow, pieces)
+    with pytest.raises(KeyError, match="no column pressure; there are: pressure_Pa, time_s"):
+        flow.probe("centre")["pressure"]
+    with pytest.raises(KeyError, match="no array saturatio; there are: saturation, "):
+        flow.frame().matrix.point_data["saturatio"]
     rock = mechanics.simulation()
+    for pieces in ("events", "fragments"):
+        with pytest.raises(percolith.RunDirectoryError, match=f"^there are no {pieces} before the"):
+            getattr(rock, pieces)
     assert rock.flow is None
     with pytest.raises(percolith.RunDirectoryError, match="no mass balance"):
         rock.mass_balance

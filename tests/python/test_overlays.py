@@ -16,8 +16,11 @@ from percolith.crack_fields import (
     shown_values,
 )
 from percolith.crack_picture import MODES, OUTLINE
+from percolith.cross_picture import draw_arrows
+from percolith.map_picture import map_axes
 from percolith.model_figure import fitting_columns
 from percolith.overlays import CRACKS, Overlays, check_overlays
+from percolith.run_directory import Frame
 from percolith.view import view_of_frame, view_of_times
 from synthetic_coupled_run import OPENING, PRESSURE
 from synthetic_run import write_mechanics_run
@@ -110,7 +113,41 @@ def test_the_legend_tells_the_stress_of_the_longest_cross(block):
     stress = np.abs(block.frame().matrix.cell_data["principal_stress_2_Pa"])
     longest = f"longest cross: {np.percentile(stress, 95) / 1e6:.3g} MPa"
     assert longest in labels(block.plot("principal_stress_2"))
-    assert longest in labels(block.plot("damage", crosses=True))  # the larger of both
+    assert longest in labels(block.plot("principal_stress_1"))  # one scale, whatever lies beneath
+    assert longest in labels(block.plot("damage", crosses=True))
+
+
+def pressed(run, *, peak: float = 1.0) -> Frame:
+    """The last frame under -8 and -12 MPa; `peak` times as much in its first triangle."""
+    frame = run.frame()
+    for name, stress in (("principal_stress_1_Pa", -8e6), ("principal_stress_2_Pa", -12e6)):
+        values = np.full(len(frame.matrix.cells), stress)
+        values[0] *= peak
+        frame.matrix.cell_data[name] = values
+    return frame
+
+
+def drawn_map(run, frame, field):
+    overlays = Overlays(crosses=True, cracks="none")
+    return map_axes(run, frame, field, view_of_frame(run, frame, field, 1.0, overlays=overlays))
+
+
+@pytest.mark.parametrize("field", ["principal_stress_1", "principal_stress_2", "displacement"])
+def test_arms_of_crosses_are_as_long_as_their_stress(block, field):
+    axes = drawn_map(block, pressed(block), field)
+    lines = np.concatenate([one.get_segments() for one in axes.collections
+                            if isinstance(one, LineCollection) and len(one.get_segments())])
+    lengths = np.sort(np.hypot(*(lines[:, 1] - lines[:, 0]).T))
+    assert len(lengths) > 100
+    half = len(lengths) // 2
+    assert np.allclose(lengths[:half], lengths[-1] * 8 / 12)
+    assert np.allclose(lengths[half:], lengths[-1])
+
+
+def test_the_legend_tells_of_crosses_that_are_cut(block):
+    for peak, is_cut in ((1.0, False), (1.04, False), (3.0, True)):
+        names = labels(drawn_map(block, pressed(block, peak=peak), "principal_stress_1"))
+        assert f"longest cross: 12 MPa{' (larger ones cut)' * is_cut}" in names
 
 
 def test_arrows_lie_over_any_field_of_a_run_with_flow(coupled):
@@ -119,6 +156,34 @@ def test_arrows_lie_over_any_field_of_a_run_with_flow(coupled):
         (arrows,) = (one for one in axes.collections if isinstance(one, Quiver))
         assert arrows.N > 100 and any(name.startswith("longest arrow:") for name in labels(axes))
     assert not any(isinstance(one, Quiver) for one in coupled.plot("pressure").collections)
+
+
+def test_fluxes_that_are_next_to_nothing_have_no_arrows(coupled):
+    frame = coupled.frame()
+    flow = np.tile([1e-6, 0.0], (len(frame.matrix.cells), 1))
+    left = frame.matrix.points[frame.matrix.cells].mean(axis=1)[:, 0] < np.median(
+        frame.matrix.points[:, 0])
+    frame.matrix.cell_data["darcy_flux_m_per_s"] = flow
+
+    def count(small):
+        flow[left, 0] = small
+        view = view_of_frame(coupled, frame, "pressure", 1.0, overlays=Overlays(arrows=True))
+        axes = map_axes(coupled, frame, "pressure", view)
+        axes.figure.canvas.draw()
+        return sum(one.N for one in axes.collections if isinstance(one, Quiver))
+
+    every, some = count(2.1e-8), count(1.9e-8)
+    assert 0.3 * every < some < 0.7 * every
+    assert count(0.0) == some
+
+
+def test_a_moment_of_a_series_at_which_nothing_flows_has_no_arrows(coupled):
+    frame = coupled.frame()
+    frame.matrix.cell_data["darcy_flux_m_per_s"] = np.zeros((len(frame.matrix.cells), 2))
+    axes = plt.figure().gca()
+    draw_arrows(axes, frame, frame.matrix.points, 1e-6)  # of another moment
+    axes.figure.canvas.draw()
+    assert all(one.N == 0 for one in axes.collections)
 
 
 def test_fluxes_of_rock_and_cracks_have_colours_of_their_own(coupled):

@@ -1,10 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reading a run directory that the program wrote."""
 
+import sys
+
 import numpy as np
 import pytest
 import vtk
-from percolith import RunDirectory, RunDirectoryError, read_vtu
+from percolith import (
+    Error,
+    Grid,
+    RunDirectory,
+    RunDirectoryError,
+    Table,
+    UnknownNameError,
+    read_vtu,
+)
 from percolith.run_directory import read_table
 from percolith.vtu import VtuError
 from vtk.util.numpy_support import vtk_to_numpy
@@ -105,6 +115,43 @@ def test_columns_of_words_are_read_where_asked_for(tmp_path):
     table = read_table(path, words=("mode",))
     assert list(table["mode"]) == ["shear, late", "tensile"]
     assert table.where(table["mode"] == "tensile")["a"] == 2
+
+
+def test_names_that_are_not_there_tell_those_that_are(run):
+    grid = run.frame().matrix
+    with pytest.raises(KeyError, match="^no column time; there are: time_s, ") as told:
+        run.history["time"]
+    assert isinstance(told.value, UnknownNameError) and isinstance(told.value, Error)
+    with pytest.raises(UnknownNameError, match="no array presure; there are: pressure_Pa, "):
+        grid.point_data["presure"]
+    with pytest.raises(UnknownNameError, match="no array a; there are: none$"):
+        Grid(grid.points, grid.cells).cell_data["a"]
+    with pytest.raises(UnknownNameError, match=r" c29 and 70 more$"):
+        Table({f"c{i}": np.zeros(1) for i in range(100)})["x"]
+    assert grid.point_data.get("presure") is None and "presure" not in grid.point_data
+
+
+def test_a_run_directory_is_printed_with_its_outcome_and_frames(run):
+    assert repr(run) == f"RunDirectory({str(run.path)!r}, outcome=finished, frames=5)"
+
+
+def test_to_print_a_run_that_goes_on_keeps_nothing_of_it(tmp_path):
+    (tmp_path / "resolved.toml").write_text("format = 1\n")
+    run = RunDirectory(tmp_path)
+    assert repr(run) == f"RunDirectory({str(tmp_path)!r}, outcome=none yet, frames=0)"
+    (tmp_path / "matrix.pvd").write_text(
+        '<VTKFile><Collection><DataSet timestep="1" file="a.vtu"/></Collection></VTKFile>')
+    (tmp_path / "summary.json").write_text('{"outcome": "stopped"}')
+    assert repr(run) == f"RunDirectory({str(tmp_path)!r}, outcome=stopped, frames=1)"
+    assert run.times == [1.0]
+    (tmp_path / "summary.json").write_text("{")
+    assert repr(run) == f"RunDirectory({str(tmp_path)!r}, damaged)"
+
+
+def test_tables_without_pandas_tell_how_to_get_it(monkeypatch):
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(ImportError, match="pip install pandas"):
+        Table({"a": np.zeros(1)}).to_pandas()
 
 
 def test_a_run_of_flow_has_no_events(run):
