@@ -142,11 +142,12 @@ def test_damage_shows_every_mode_in_its_colour(directory, tmp_path):
 def test_crosses_tell_tension_from_compression(directory, tmp_path):
     run = RunDirectory(directory)
     path = tmp_path / "stress.png"
-    draw_mechanics(run, run.frame(), "principal_stress_1", path)
-    tension, compression = share_of(path, "#D7191C"), share_of(path, "#2C4FBB")
-    assert tension > 2e-4 and compression > 1e-3
     frame = run.frame()
     stresses = frame.matrix.cell_data
+    stresses["principal_stress_1_Pa"] = 6.0 * stresses["principal_stress_1_Pa"]  # as large as 2
+    draw_mechanics(run, frame, "principal_stress_1", path)
+    tension, compression = share_of(path, "#D7191C"), share_of(path, "#2C4FBB")
+    assert tension > 1e-3 and compression > 1e-3
     stresses["principal_stress_1_Pa"] = -np.abs(stresses["principal_stress_1_Pa"])
     draw_mechanics(run, frame, "principal_stress_1", path)
     assert share_of(path, "#D7191C") < 0.2 * tension  # the legend alone

@@ -216,8 +216,8 @@ def test_what_a_run_of_flow_lacks(tmp_path, capsys):
 
 
 @pytest.mark.parametrize("wrong, message", [
-    ({"time": "abc"}, "time = 'abc': does not begin with a number"),
-    ({"time": float("nan")}, "time = nan: not a finite time"),
+    ({"time": "abc"}, "time = 'abc': does not begin with a number; allowed: seconds"),
+    ({"time": float("nan")}, "time = nan: not a finite time; allowed: seconds"),
     ({"scale": "x"}, "scale = 'x': allowed: "),
     ({"scale": -1}, "scale = -1: allowed: "), ({"window": [1, [2]]}, "window = .*; allowed: X0 X1"),
     ({"window": (1, 2, None, 3)}, "window = .*: not four numbers"), ({"field": 3}, "no 3 in this"),
