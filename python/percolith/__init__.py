@@ -44,8 +44,8 @@ _LATER = {
 __all__ = [
     "Case", "CaseError", "CaseWarning", "Error", "FileError", "Frame", "Grid", "MeshError",
     "Option", "Problem", "RunDirectory", "RunDirectoryError", "Simulation", "SolverError", "Sweep",
-    "SweepProgress", "Table", "UnknownNameError", "VtuError", "__version__", "describe", "mesh", "open_run", "option_names", "quantity",
-    "read_vtu", "report", "resume", "sweep",
+    "SweepProgress", "Table", "UnknownNameError", "VtuError", "__version__", "describe", "mesh",
+    "open_run", "option_names", "quantity", "read_vtu", "report", "resume", "sweep",
 ]
 
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 import importlib.metadata
 import os
 import shutil
+import signal
 import sys
 from pathlib import Path
 
@@ -68,6 +69,9 @@ def main(words: list[str] | None = None) -> int:
     program = find_program()
     if program is not None:
         sys.stdout.flush()
+        # Python ignores these two; the program is to have them as from a shell.
+        for number in (signal.SIGPIPE, signal.SIGXFSZ):
+            signal.signal(number, signal.SIG_DFL)
         os.execv(program, [str(program), *words])
     if words == ["--version"]:
         print(_version())

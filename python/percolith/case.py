@@ -226,9 +226,9 @@ class Case(Options):
         """Runs the case to its end and opens its results.
 
         output: the folder for them; when None `CASE.results` in the present folder, as the command
-        line has it, or `case.results` for a case that comes from no file. The files are those that the command line writes, bit for bit. Ctrl-C stops
-        the run after its present step: results and a checkpoint stay, and `percolith.resume` goes
-        on. Other arguments as for `simulation`. Raises CaseError, SolverError and FileError.
+        line has it, or `case.results` for a case that comes from no file. The files are those that
+        the command line writes, bit for bit. Ctrl-C stops the run after its present step: results
+        and a checkpoint stay, and `percolith.resume` goes on. Other arguments as for `simulation`. Raises CaseError, SolverError and FileError.
         """
         name = "case" if self._file.name == _MADE_HERE else self._file.stem
         folder = Path(f"{name}.results") if output is None else output

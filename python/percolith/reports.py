@@ -22,10 +22,10 @@ def report(directory: str | os.PathLike, output: str | os.PathLike | None = None
     returns its path: what was run, how it ended, balances, results, pictures, and a view to move
     about in. `output` is the file, None for report.html in the directory; `time` (s, or a text
     such as "10 ms") chooses the frame that is shown, None the last one; `scale` multiplies the
-    displacements, None chooses it. A run that has not ended is reported as far as it got. Raises RunDirectoryError where there is
-    no run directory or a file of a run that ended is missing or damaged, VtuError where a field
-    file is damaged, and FileError where a file cannot be read or written; an earlier page then
-    stays."""
+    displacements, None chooses it. A run that has not ended is reported as far as it got. Raises
+    RunDirectoryError where there is no run directory or a file of a run that ended is missing or
+    damaged, VtuError where a field file is damaged, and FileError where a file cannot be read or
+    written; an earlier page then stays."""
     run = RunDirectory(directory)
     check_scale(run, scale)
     path = run.path / "report.html" if output is None else Path(output)
@@ -37,16 +37,19 @@ def report(directory: str | os.PathLike, output: str | os.PathLike | None = None
 
 
 def _factor(word: str) -> float:
-    number = float(word)
+    try:
+        number = float(word)
+    except ValueError:
+        number = -1.0
     if not 0.0 <= number < float("inf"):
-        raise ValueError
+        raise ValueError("no factor")
     return number
 
 
 def _time(word: str) -> float:
     time = seconds(word)
     if time < 0.0:
-        raise ValueError
+        raise ValueError("a negative time")
     return time
 
 
@@ -78,8 +81,8 @@ def _arguments(words: list[str] | None) -> argparse.Namespace:
         value = getattr(arguments, name) or word
         try:
             setattr(arguments, name, None if value == word else read(value))
-        except ValueError:
-            parser.error(f"--{name} = {value}: allowed: {word}, {allowed}")
+        except ValueError as error:
+            parser.error(f"--{name} = {value}: {error}; allowed: {word}, {allowed}")
     return arguments
 
 

@@ -22,11 +22,12 @@ class RunPictures:
 
     def plot(self, field: str | None = None, time: float | str | None = None, *,
              cracks: str = "auto", crosses: bool | None = None, arrows: bool = False,
-             scale: float | None = None, window: Sequence[float] | None = None, ax: Axes | None = None) -> Axes:
+             scale: float | None = None, window: Sequence[float] | None = None,
+             ax: Axes | None = None) -> Axes:
         """A map of `field` at the frame nearest to `time` (s, or a text such as "10 ms"), the last
         one without; drawn into `ax` or a new figure. Without `field` it is the pressure of a run
-        with flow, else the displacement; run.fields names all. `cracks` are coloured by `pressure`, `mode`, `aperture`,
-        `break_time` or another quantity of theirs, drawn `thin` or not at all (`none`); `auto`
+        with flow, else the displacement; run.fields names all. `cracks` are coloured by
+        `pressure`, `mode`, `aperture`, `break_time` or another quantity of theirs, drawn `thin` or not at all (`none`); `auto`
         suits the field. `crosses` of the principal stresses and `arrows` of the Darcy flux lie over
         it. `scale` multiplies the displacements, None chooses it. `window` is the part to show: X0,
         X1, Y0, Y1 in m."""

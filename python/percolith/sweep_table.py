@@ -45,7 +45,8 @@ def _option(path: str, values: list[Any]) -> tuple[str, list[Any]]:
 
 def _number(value: Any, unit: str) -> Any:
     """The value in SI. Raises CaseError for what is no number."""
-    if isinstance(value, (int, float)) or (isinstance(value, str) and unit):
+    is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    if is_number or (isinstance(value, str) and unit):
         return quantity(value, unit) if isinstance(value, str) else value
     raise CaseError(f"error: {value!r}: no number")
 
@@ -74,6 +75,7 @@ def _numbers(point: Point) -> dict[str, float]:
 
 
 def _column(values: list[Any]) -> np.ndarray:
-    if all(value is None or isinstance(value, (int, float)) for value in values):
+    if all(value is None or (isinstance(value, (int, float)) and not isinstance(value, bool))
+           for value in values):
         return np.array([np.nan if value is None else value for value in values])
     return np.array(["" if value is None else str(value) for value in values])

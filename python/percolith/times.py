@@ -20,8 +20,8 @@ _NUMBER = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*
 
 
 def seconds(time: float | str) -> float:
-    """A time in s, from a number of seconds or a text such as "10 ms". Raises ValueError for what is
-    no finite time, with the reason alone; ALLOWED tells what is."""
+    """A time in s, from a number of seconds or a text such as "10 ms". Raises ValueError for what
+    is no finite time, with the reason alone; ALLOWED tells what is."""
     if isinstance(time, str):
         value = _from_text(time)
     elif isinstance(time, Real):
@@ -54,7 +54,9 @@ def _without_simulator(text: str) -> float:
     if parts is None:
         raise ValueError("does not begin with a number")
     number, unit = parts.groups()
-    factor = _UNITS.get(unit) or (_UNITS.get(unit.removesuffix("s")) if len(unit) > 3 else None)
+    word = unit.lower().removesuffix("s") if len(unit) > 3 else unit
+    factor = _UNITS.get(word)
     if factor is None:
-        raise ValueError(f'the unit "{unit}" is not one of time')
+        raise ValueError(f'the unit "{unit}" is not known without the simulator, where '
+                         f'{", ".join(_UNITS)} are')
     return float(number) * factor

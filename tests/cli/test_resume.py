@@ -173,7 +173,7 @@ def test_damaged_checkpoints_are_refused(percolith, interrupted):
     middle = len(sound) // 2
     file.write_bytes(sound[:middle] + bytes([sound[middle] ^ 1]) + sound[middle + 1:])
     assert f"{file}: the checkpoint is damaged: its checksum" in refusal(percolith, folder)
-    file.write_bytes(sound.replace(b"format 1,", b"format 9,", 1))
+    file.write_bytes(sound.replace(b"format 2,", b"format 9,", 1))
     assert "format 9" in refusal(percolith, folder)
     # Sound again, it is gone on with.
     file.write_bytes(sound)

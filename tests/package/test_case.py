@@ -182,7 +182,7 @@ def test_warnings_of_options_are_among_those_of_check_and_of_results(strip, tmp_
     with pytest.warns(percolith.CaseWarning) as told:
         report = strip.check()
     assert len(told) == len(report.warnings)
-    assert "source.well.rate = -10 is -10 m2/s" in report.warnings[0]
+    assert report.warnings[0].startswith("warning: source.well.rate = -10 is -10 m2/s")
     strip["time"] = {"scheme": "explicit", "end": "1 ms"}
     strip["source.well.rate"] = 10.0
     del strip["output.times"]

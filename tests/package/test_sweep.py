@@ -55,7 +55,8 @@ def test_options_are_numbers_in_the_table(case, tmp_path):
     points = [{"boundary.left.pressure": "200 kPa", "material.rock.porosity": "10 %"},
               {"boundary.left.pressure": 1e5, "material.rock.porosity": 0.2, "fluid.viscosity": "1 cP",
                "material.rock.permeability": 1e-14, "time.scheme": "implicit"},
-              {"material.rock.permeability": [1e-14, 1e-14, 0.0], "model.gravity": 0}]
+              {"material.rock.permeability": [1e-14, 1e-14, 0.0], "model.gravity": 0,
+               "output.fields": False}]
     table = percolith.sweep(case, points, tmp_path / "study").table()
     expected = {"boundary.left.pressure_Pa": [2e5, 1e5, np.nan],
                 "material.rock.porosity": [0.1, 0.2, np.nan],
@@ -66,6 +67,7 @@ def test_options_are_numbers_in_the_table(case, tmp_path):
         assert table[name] == pytest.approx(values, nan_ok=True)
     assert list(table["material.rock.permeability"]) == ["", "1e-14", "[1e-14, 1e-14, 0.0]"]
     assert list(table["time.scheme"]) == ["", "implicit", ""]
+    assert list(table["output.fields"]) == ["", "", "False"]
     pandas = pytest.importorskip("pandas")
     assert pandas.api.types.is_float_dtype(table.to_pandas()["boundary.left.pressure_Pa"])
 

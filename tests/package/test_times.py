@@ -15,10 +15,19 @@ def test_units_are_the_same_without_the_simulator(text, monkeypatch):
 
 
 @pytest.mark.parametrize("text, reason", [
-    ("2 MPa", 'the unit "MPa" is not one of time'), ("noon", "does not begin with a number"),
+    ("noon", "does not begin with a number"),
     ("nan", "not a finite time"), ("inf", "not a finite time")])
 def test_reasons_are_the_same_without_the_simulator(text, reason, monkeypatch):
     for _ in range(2):
         with pytest.raises(ValueError, match=f"^{reason}$"):
             times.seconds(text)
         monkeypatch.setattr(times.importlib.util, "find_spec", lambda name: None)
+
+
+def test_units_that_are_none_of_time(monkeypatch):
+    with pytest.raises(ValueError, match='^the unit "MPa" is not one of time$'):
+        times.seconds("2 MPa")
+    monkeypatch.setattr(times.importlib.util, "find_spec", lambda name: None)
+    with pytest.raises(ValueError, match='^the unit "ns" is not known without the simulator, where '
+                                         'us, .*week, year are$'):
+        times.seconds("2 ns")

@@ -467,9 +467,10 @@ def test_scale_is_for_mechanics(flow, capsys):
     assert "--scale is for runs of mechanics" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("option, value", [("--time", "noon"), ("--scale", "-1"),
-                                           ("--scale", "nan")])
-def test_wrong_options(mechanics, capsys, option, value):
+@pytest.mark.parametrize("option, value, reason", [
+    ("--time", "noon", "does not begin with a number"), ("--time", "-1", "a negative time"),
+    ("--scale", "-1", "no factor"), ("--scale", "nan", "no factor"), ("--scale", "x", "no factor")])
+def test_wrong_options(mechanics, capsys, option, value, reason):
     with pytest.raises(SystemExit):
         reports.main([str(mechanics), f"{option}={value}"])
-    assert f"{option} = {value}: allowed: " in capsys.readouterr().err
+    assert f"{option} = {value}: {reason}; allowed: " in capsys.readouterr().err

@@ -84,8 +84,8 @@ def tunnel(path: str | os.PathLike, width: float, height: float, tunnel_width: f
     """A rectangle round the origin with a tunnel in it: walls of wall_height and a round roof
     above; sides left, right, bottom, top and wall. centre: (x, y) of the middle of the tunnel, m,
     half its width from the walls and half its height above the floor, the origin where it is not
-    given; the tunnel lies within the rectangle and does not touch its sides. excavated: the tunnel is a region of its own,
-    tunnel, that the case takes out later; its wall lies within the rock until then, and is no side
+    given; the tunnel lies within the rectangle and does not touch its sides. excavated: the tunnel
+    is a region of its own, tunnel, that the case takes out later; its wall lies within the rock until then, and is no side
     that a boundary could refer to. size_at_wall: of the elements there, m; a twelfth of the
     width of the tunnel where it is not given. Fractures within the tunnel are left out."""
     require_positive(tunnel_width=tunnel_width, wall_height=wall_height, size=size)

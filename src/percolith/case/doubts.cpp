@@ -4,14 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace percolith::case_file {
-
-double largest(const Schedule& schedule) {
-  return *std::max_element(schedule.value.begin(), schedule.value.end(),
-                           [](double a, double b) { return std::abs(a) < std::abs(b); });
-}
 
 void Doubts::judge(const std::string& key, double value, const Plausible& range,
                    const std::string& advice) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "percolith/case/key_locations.hpp"
-#include "percolith/time/schedule.hpp"
 
 #include <limits>
 #include <string>
@@ -30,9 +29,6 @@ struct Plausible {
 
   [[nodiscard]] bool holds(double value) const { return value >= least && value <= most; }
 };
-
-/// The value of largest magnitude that a schedule comes to.
-[[nodiscard]] double largest(const Schedule& schedule);
 
 /// Collects warnings of options whose values are outside of what rocks have.
 class Doubts {

@@ -46,14 +46,15 @@ std::optional<Raw> raw_number(const Node& node, const std::string& key, const Qu
 }
 
 /// What is wrong with a number out of its bounds. Angles without a unit are mostly meant in
-/// degrees, shares of two and more in percent.
+/// degrees, shares of five and more in percent.
 std::string out_of_range(const Node& node, const Quantity& quantity, double number,
                          std::string_view unit) {
+  constexpr double many = 5.0;
   const bool is_plain = node.text() == nullptr && unit.empty();
-  if (quantity.unit == "1" && is_plain && number >= 2.0 &&
-      quantity.bounds.contains(number / 100.0)) {
-    return fmt::format("out of range: it is a share of one; percent are written \"{:g} %\"",
-                       number);
+  const bool is_share =
+      quantity.unit == "1" && quantity.bounds.low == 0.0 && quantity.bounds.high == 1.0;
+  if (is_share && is_plain && number >= many && quantity.bounds.contains(number / 100.0)) {
+    return fmt::format("out of range: it is a share of one; did you mean \"{:g} %\"", number);
   }
   if (quantity.unit != "rad" || !is_plain ||
       !quantity.bounds.contains(number * std::numbers::pi / 180.0)) {

@@ -98,7 +98,7 @@ void judge_apertures(const Setup& setup, Doubts& doubts) {
 
 void judge_rates(const Setup& setup, Doubts& doubts) {
   for (const auto& [name, source] : setup.source) {
-    doubts.judge("source." + name + ".rate", largest(source.rate.value_or(Schedule{})), rate);
+    doubts.judge("source." + name + ".rate", source.rate.value_or(Schedule{}).largest(), rate);
   }
 }
 

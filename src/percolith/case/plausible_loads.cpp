@@ -30,7 +30,7 @@ void judge_load(const std::string& key, double load, Doubts& doubts) {
 }
 
 void judge_load(const std::string& key, const std::optional<Schedule>& schedule, Doubts& doubts) {
-  judge_load(key, largest(schedule.value_or(Schedule{})), doubts);
+  judge_load(key, schedule.value_or(Schedule{}).largest(), doubts);
 }
 
 void judge_boundaries(const Setup& setup, Doubts& doubts) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <udunits2.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -56,6 +57,17 @@ constexpr std::array<KnownDimension, 18> known_dimensions{{
     {"kg/(m s)", {"nodal viscosity", "1e4 kg/(m s)"}},
     {"m/(Pa s)", {"exchange coefficient", "2e-7 m/(Pa s)"}},
 }};
+
+/// What to say of a pressure times the root of a length where an energy is wanted.
+std::string toughness_advice(std::string_view unit, std::string_view si_unit) {
+  constexpr std::array<std::string_view, 5> roots{"sqrt", "\u221a", "0.5", "1/2", ".5"};
+  const bool has_root = std::any_of(roots.begin(), roots.end(), [&](std::string_view root) {
+    return unit.find(root) != std::string_view::npos;
+  });
+  return si_unit == "J/m2" && has_root && unit.find("Pa") != std::string_view::npos
+             ? "; of a toughness K the energy is K^2 (1 - nu^2)/E in plane strain"
+             : "";
+}
 
 /// What the same letters are in other cases: "mD" and "MD" of "md", those with more capitals first.
 /// Empty for texts with so many letters that no slip of a single unit is behind them.
@@ -146,10 +158,7 @@ Units::Converted Units::convert(double value, std::string_view unit, std::string
   }
   std::string misread = misread_unit(unit);
   if (!misread.empty()) {
-    if (si_unit == "J/m2") {
-      misread += "; of a toughness K the energy is K^2 (1 - nu^2)/E in plane strain";
-    }
-    return {std::nullopt, std::move(misread)};
+    return {std::nullopt, misread + toughness_advice(unit, si_unit)};
   }
   if (!database_->system) {
     database_->load();
@@ -157,7 +166,8 @@ Units::Converted Units::convert(double value, std::string_view unit, std::string
   const UnitHandle from = database_->parse(unit);
   if (!from) {
     return {std::nullopt,
-            fmt::format("unknown unit \"{}\"{}", unit, database_->suggestion(unit, si_unit))};
+            fmt::format("unknown unit \"{}\"{}{}", unit, database_->suggestion(unit, si_unit),
+                        toughness_advice(unit, si_unit))};
   }
   const UnitHandle to = database_->parse(si_unit);
   if (!to || ut_are_convertible(from.get(), to.get()) == 0) {

@@ -13,7 +13,7 @@ namespace percolith::io {
 namespace {
 
 constexpr std::string_view signature = "percolith checkpoint, ";
-constexpr int format = 1;
+constexpr int format = 2;
 /// Numbers stand as they do in memory, and a machine that orders their bytes differently reads this
 /// one as another.
 constexpr std::uint32_t byte_order = 0x01020304;

@@ -8,6 +8,7 @@
 #include <omp.h>
 
 #include <exception>
+#include <string_view>
 #include <utility>
 
 namespace percolith::runner {
@@ -27,6 +28,9 @@ std::unique_ptr<io::CheckpointFile> last_checkpoint(const io::RunDirectory& dire
   return std::make_unique<io::CheckpointFile>(file);
 }
 
+/// Where the command line names itself as the place of an option, which Python sets otherwise.
+constexpr std::string_view place_of_overrides = "--set: ";
+
 void use_threads(std::optional<int> threads) {
   if (threads) {
     omp_set_num_threads(*threads);
@@ -41,6 +45,11 @@ std::unique_ptr<CaseRun> CaseRun::start(const RunRequest& request, Console conso
   }
   use_threads(request.threads);
   LoadedModel model = load_model(request.source);
+  if (console.is_python) {
+    for (std::string& warning : model.read_case.warnings) {
+      warning.erase(0, warning.starts_with(place_of_overrides) ? place_of_overrides.size() : 0);
+    }
+  }
   std::optional<io::RunDirectory> directory;
   if (request.output) {
     directory = io::RunDirectory::open(*request.output, request.existing);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/simulation/boundary_supports.hpp"
 
-#include <algorithm>
 #include <array>
+#include <optional>
 
 namespace percolith::simulation {
 
@@ -30,9 +30,14 @@ std::span<const Support> supports() {
 }
 
 bool holds_rock(const BoundaryCondition& condition) {
-  return std::any_of(all_supports.begin(), all_supports.end(), [&](const Support& support) {
-    return support.name != "absorbing" && support.acts(condition);
-  });
+  const auto pushes = [](const std::optional<Schedule>& load) {
+    return load && load->largest() != 0.0;
+  };
+  return condition.fixed || condition.roller || condition.in_situ || condition.displacement_x ||
+         condition.displacement_y || condition.velocity_x || condition.velocity_y ||
+         pushes(condition.traction_x) || pushes(condition.traction_y) ||
+         pushes(condition.normal_pressure) ||
+         (condition.pressurised && (pushes(condition.pressure) || pushes(condition.head)));
 }
 
 }  // namespace percolith::simulation

@@ -17,8 +17,8 @@ struct Support {
 /// All of them.
 [[nodiscard]] std::span<const Support> supports();
 
-/// Whether a condition keeps rock that is under stress from springing apart; edges that only absorb
-/// waves give way.
+/// Whether a condition keeps rock that is under stress from springing apart. Edges that only absorb
+/// waves give way, and a load of zero at all times is none.
 [[nodiscard]] bool holds_rock(const BoundaryCondition& condition);
 
 }  // namespace percolith::simulation

@@ -11,14 +11,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace percolith::simulation {
 namespace {
 
 using mesh::Index;
 
-/// Shares of the largest in-situ stress beyond which a lack of balance is told of.
-constexpr double much_at_edges = 0.1;
+/// Shares beyond which a lack of balance is told of: of the in-situ stress at the edge, and of the
+/// largest one.
+constexpr double much_at_edge = 0.1;
+constexpr double much_at_edges = 0.01;
 constexpr double much_of_weight = 0.05;
 
 double size_of(const Point& p) {
@@ -45,6 +48,9 @@ std::vector<std::uint8_t> kept_edges(const Setup& setup, const mesh::Mesh& mesh)
     }
   }
   for (const auto& [name, excavation] : setup.excavation) {
+    if (excavation.start > 0.0) {
+      continue;
+    }
     const auto regions = find_regions(mesh, excavation.regions, "excavation." + name + ".regions");
     for (Index e = 0; e < edges_of(mesh); ++e) {
       const Index region = mesh.region[at(mesh::triangle_of(mesh.boundary[at(e)].corner[0]))];
@@ -73,13 +79,17 @@ std::vector<Point> bare_tractions(const Setup& setup, const mechanics::Model& mo
   return bare;
 }
 
-/// Largest in-situ stress in the plane at the vertices of the rock, Pa.
+/// Larger principal in-situ stress in the plane at a place, by magnitude, Pa.
+double principal_stress(const InSitu& in_situ, const Point& place) {
+  const Tensor s = in_situ_stress(in_situ, place);
+  return std::abs(0.5 * (s.xx + s.yy)) + std::hypot(0.5 * (s.xx - s.yy), s.xy);
+}
+
+/// The largest at the vertices of the rock, Pa.
 double largest_stress(const InSitu& in_situ, const mesh::Mesh& mesh) {
   double largest = 0.0;
   for (const Point& p : mesh.vertex) {
-    const Tensor s = in_situ_stress(in_situ, p);
-    const double radius = std::hypot(0.5 * (s.xx - s.yy), s.xy);
-    largest = std::max(largest, std::abs(0.5 * (s.xx + s.yy)) + radius);
+    largest = std::max(largest, principal_stress(in_situ, p));
   }
   return largest;
 }
@@ -122,7 +132,9 @@ std::string edge_warning(const Setup& setup, const mechanics::Model& model, doub
   double length = 0.0;
   Index worst = mesh::none;
   for (Index e = 0; e < edges_of(mesh); ++e) {
-    if (size_of(bare[at(e)]) > much_at_edges * stress) {
+    const Point middle = mesh.middle_of(mesh.boundary[at(e)].vertex);
+    if (size_of(bare[at(e)]) >
+        std::max(much_at_edges * stress, much_at_edge * principal_stress(*setup.in_situ, middle))) {
       told[at(e)] = 1;
       length += size_of(along_edge(mesh, e));
       worst = worst == mesh::none || size_of(bare[at(e)]) > size_of(bare[at(worst)]) ? e : worst;
@@ -142,27 +154,76 @@ std::string edge_warning(const Setup& setup, const mechanics::Model& model, doub
       pressure_text(size_of(bare[at(worst)])), p.x, p.y, pressure_advice(setup, mesh, told));
 }
 
-std::string weight_warning(const Setup& setup, const mesh::Mesh& mesh, double stress) {
-  double density = 0.0;
-  for (const auto& [name, material] : setup.material) {
-    density = std::max(density, material.solid.density);
+/// Regions whose weight the rock does not feel: of rigid bodies, and what is not there from the
+/// start.
+std::vector<Index> regions_without_weight(const Setup& setup, const mesh::Mesh& mesh) {
+  std::vector<Index> regions;
+  const auto add = [&](const std::vector<std::string>& names, const std::string& key) {
+    const auto found = find_regions(mesh, names, key);
+    regions.insert(regions.end(), found.begin(), found.end());
+  };
+  for (const auto& [name, body] : setup.body) {
+    if (body.rigid) {
+      add(body.regions, "body." + name + ".regions");
+    }
   }
+  for (const auto& [name, excavation] : setup.excavation) {
+    if (excavation.start <= 0.0) {
+      add(excavation.regions, "excavation." + name + ".regions");
+    }
+  }
+  return regions;
+}
+
+/// Density of the rock, kg/m3: the smallest, the largest, and the mean over its area.
+struct Densities {
+  double least = std::numeric_limits<double>::infinity(), most = 0.0, mean = 0.0;
+};
+
+Densities densities_of(const Setup& setup, const mesh::Mesh& mesh) {
+  const std::vector<std::string> material = material_of_regions(setup, mesh);
+  const std::vector<Index> without = regions_without_weight(setup, mesh);
+  Densities found;
+  double area = 0.0;
+  double mass = 0.0;
+  for (Index t = 0; t < mesh.triangles(); ++t) {
+    const Index region = mesh.region[at(t)];
+    if (std::find(without.begin(), without.end(), region) == without.end()) {
+      const double density = setup.material.at(material[at(region)]).solid.density;
+      found.least = std::min(found.least, density);
+      found.most = std::max(found.most, density);
+      area += mesh.area(t);
+      mass += density * mesh.area(t);
+    }
+  }
+  found.mean = area > 0.0 ? mass / area : 0.0;
+  return found;
+}
+
+// Where densities differ, a gradient between those of the lightest and the heaviest may be right.
+std::string weight_warning(const Setup& setup, const mesh::Mesh& mesh, double stress) {
+  const Densities density = densities_of(setup, mesh);
   const auto [low, high] =
       std::minmax_element(mesh.vertex.begin(), mesh.vertex.end(),
                           [](const Point& a, const Point& b) { return a.y < b.y; });
   const double height = high->y - low->y;
-  const double weight = density * setup.model.gravity;
-  const double left = std::abs(weight - setup.in_situ->gradient_yy);
+  const double gravity = setup.model.gravity;
+  const double gradient = setup.in_situ->gradient_yy;
   constexpr double about = 0.2;  // what fluid in the pores adds to the density, among other things
-  if (left <= about * weight || left * height <= much_of_weight * stress) {
+  const bool is_carried = gradient >= (1.0 - about) * gravity * density.least &&
+                          gradient <= (1.0 + about) * gravity * density.most;
+  const double weight = gravity * density.mean;
+  if (density.mean == 0.0 || is_carried ||
+      std::abs(weight - gradient) * height <= much_of_weight * stress) {
     return {};
   }
   return fmt::format(
       "the in-situ stress does not carry the weight of the rock: over the {:.4g} m of its height "
       "gravity adds {} and in_situ.gradient_yy {}. The rock settles when the run starts. "
-      "gradient_yy = {:.5g} (Pa/m) carries it; model.gravity = 0 leaves weight out",
-      height, pressure_text(weight * height), pressure_text(setup.in_situ->gradient_yy * height),
-      weight);
+      "gradient_yy = {:.5g} (Pa/m) carries it{}{}",
+      height, pressure_text(weight * height), pressure_text(gradient * height), weight,
+      density.least < density.most ? " on average" : "",
+      gravity != 0.0 ? "; model.gravity = 0 leaves weight out" : "");
 }
 
 }  // namespace
@@ -173,12 +234,12 @@ std::vector<std::string> start_balance_warnings(const Setup& setup, const mechan
   if (stress == 0.0) {
     return warnings;
   }
-  if (setup.body.empty()) {
+  const bool has_platen = std::any_of(setup.body.begin(), setup.body.end(),
+                                      [](const auto& entry) { return entry.second.rigid; });
+  if (!has_platen) {
     warnings.push_back(edge_warning(setup, model, stress));
   }
-  if (setup.model.gravity != 0.0) {
-    warnings.push_back(weight_warning(setup, model.mesh, stress));
-  }
+  warnings.push_back(weight_warning(setup, model.mesh, stress));
   std::erase(warnings, std::string());
   return warnings;
 }

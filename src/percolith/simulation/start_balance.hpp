@@ -10,10 +10,10 @@
 namespace percolith::simulation {
 
 /// Warnings of in-situ stress that is not in balance when a run starts: where it ends at edges of
-/// the rock that nothing holds (div sigma = 0 within, sigma n = t at the edges), and where its
-/// gradient does not carry the weight of the rock (d sigma_yy/dy = rho g). Told of is what matters
-/// beside the largest in-situ stress; edges that touch platens or that are taken out are left to
-/// contact and excavation. `model` is the rock at time zero.
+/// the rock that nothing holds (sigma n = t; whether a load is the right one is not judged), and
+/// where its gradient does not carry the weight of the rock (d sigma_yy/dy = rho g). Told of is
+/// what matters beside the in-situ stress. Edges that are taken out from the start are left to the
+/// excavation, all edges to contact where there are platens. `model` is the rock at time zero.
 [[nodiscard]] std::vector<std::string> start_balance_warnings(const Setup& setup,
                                                               const mechanics::Model& model);
 

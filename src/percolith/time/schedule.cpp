@@ -2,6 +2,7 @@
 #include "percolith/time/schedule.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -30,6 +31,11 @@ double Schedule::next_break(double t) const {
     return std::numeric_limits<double>::infinity();
   }
   return *after;
+}
+
+double Schedule::largest() const {
+  return *std::max_element(value.begin(), value.end(),
+                           [](double a, double b) { return std::abs(a) < std::abs(b); });
 }
 
 void describe_state(StateArchive& archive, Schedule& schedule) {

@@ -23,6 +23,8 @@ struct Schedule {
   [[nodiscard]] double at(double t) const;
   /// The first time after `t` at which the slope or the value jumps; infinity when there is none.
   [[nodiscard]] double next_break(double t) const;
+  /// The value of largest magnitude that it comes to.
+  [[nodiscard]] double largest() const;
   [[nodiscard]] bool is_constant() const { return value.size() == 1; }
   friend bool operator==(const Schedule&, const Schedule&) = default;
 };

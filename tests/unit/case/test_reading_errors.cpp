@@ -188,7 +188,7 @@ TEST(ReadingErrors, OutOfRange) {
             "--set: error: material.rock.porosity = 1.5: out of range; allowed: 0 < value <= 1");
   EXPECT_EQ(error_set({"material.rock.porosity=15"}),
             "--set: error: material.rock.porosity = 15: out of range: it is a share of one; "
-            "percent are written \"15 %\"; allowed: 0 < value <= 1");
+            "did you mean \"15 %\"; allowed: 0 < value <= 1");
   EXPECT_EQ(
       error_set({"fluid.viscosity=-1 cP"}),
       "--set: error: fluid.viscosity = \"-1 cP\": out of range; allowed: a finite number > 0 Pa s");

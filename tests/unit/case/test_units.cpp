@@ -67,6 +67,10 @@ TEST(Units, AToughnessInPlaceOfAnEnergyIsNamed) {
   EXPECT_EQ(reason("MPa m^0.5", "J/m2"),
             "the unit \"MPa m^0.5\" has a fractional exponent or factor; of a toughness K the "
             "energy is K^2 (1 - nu^2)/E in plane strain");
+  EXPECT_EQ(
+      reason("MPa sqrt(m)", "J/m2"),
+      "unknown unit \"MPa sqrt(m)\"; of a toughness K the energy is K^2 (1 - nu^2)/E in plane "
+      "strain");
 }
 
 TEST(Units, RefusesUnitsThatWouldBeMisread) {

@@ -86,11 +86,11 @@ TEST_F(CheckpointFiles, AreRefusedWhenAnyByteIsAnother) {
 TEST_F(CheckpointFiles, OfAnotherFormatOrPrecisionAreRefused) {
   const std::string bytes = read_text(path);
   std::string other = bytes;
-  other.replace(other.find("format 1"), 8, "format 2");
+  other.replace(other.find("format 2"), 8, "format 3");
   EXPECT_EQ(
       refusal(other),
-      "this program reads \"percolith checkpoint, format 1, reals of 8 bytes\", the file says "
-      "\"percolith checkpoint, format 2, reals of 8 bytes\"; nothing was changed");
+      "this program reads \"percolith checkpoint, format 2, reals of 8 bytes\", the file says "
+      "\"percolith checkpoint, format 3, reals of 8 bytes\"; nothing was changed");
   other = bytes;
   other.replace(other.find("of 8"), 4, "of 4");
   EXPECT_NE(refusal(other).find("reals of 4 bytes"), std::string::npos);

@@ -63,12 +63,15 @@ TEST(StartBalance, LoadsHoldAndAbsorbingEdgesGiveWay) {
   setup.boundary["bottom"].absorbing = true;
   EXPECT_THAT(warnings_of(setup), Contains(HasSubstr("ends at 20 m")));
   setup.boundary["bottom"].absorbing = false;
+  setup.boundary["bottom"].traction_y = Schedule::constant(0.0);
+  EXPECT_THAT(warnings_of(setup), Contains(HasSubstr("ends at 20 m")));
   setup.boundary["bottom"].traction_y = Schedule::constant(12e6);
   EXPECT_THAT(warnings_of(setup), Each(Not(HasSubstr("in-situ"))));
 }
 
 TEST(StartBalance, FreeGroundBearsNoStressThatVanishesThere) {
   simulation::Setup setup = pressed({"left", "right", "bottom"});
+  setup.model.gravity = 10.0;
   setup.in_situ = InSitu{.gradient_xx = 1e4, .gradient_yy = 25e3, .datum = 10.0};
   EXPECT_THAT(warnings_of(setup), Each(Not(HasSubstr("in-situ"))));
 }
@@ -77,6 +80,8 @@ TEST(StartBalance, RockThatIsTakenOutNeedsNoHold) {
   simulation::Setup setup = pressed({"left", "right", "top"});
   setup.excavation["all"].regions = {"rock"};
   EXPECT_THAT(warnings_of(setup), Each(Not(HasSubstr("ends at"))));
+  setup.excavation["all"].start = 1e-4;
+  EXPECT_THAT(warnings_of(setup), Contains(HasSubstr("ends at 20 m")));
 }
 
 TEST(StartBalance, WeightThatTheStressDoesNotCarryIsToldOf) {
@@ -94,6 +99,38 @@ TEST(StartBalance, WeightThatTheStressDoesNotCarryIsToldOf) {
   EXPECT_THAT(warnings_of(setup), Each(Not(HasSubstr("weight"))));
   setup.in_situ->gradient_yy = -25e3;
   EXPECT_THAT(warnings_of(setup), Contains(HasSubstr("weight")));
+  setup.model.gravity = 0.0;
+  setup.in_situ->gradient_yy = 25e3;
+  EXPECT_THAT(warnings_of(setup), Contains(HasSubstr("gravity adds 0 Pa and in_situ.gradient_yy "
+                                                     "250 kPa. The rock settles when the run "
+                                                     "starts. gradient_yy = 0 (Pa/m) carries it")));
+}
+
+/// The upper half of the block is denser, or a platen.
+TEST(StartBalance, WeightIsThatOfTheRockThatIsThere) {
+  mesh::GmshMesh mesh = test::make_grid(block);
+  mesh.regions.push_back("upper");
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    mesh.triangle_region[t] = t >= mesh.triangles.size() / 2 ? 1 : 0;
+  }
+  simulation::Setup setup = pressed({"left", "right", "top", "bottom"});
+  setup.model.gravity = 10.0;
+  setup.in_situ->stress_xx = -1e6;
+  setup.in_situ->stress_yy = -1e6;
+  setup.material["steel"] = setup.material["sandstone"];
+  setup.material["steel"].regions = {"upper"};
+  setup.material["steel"].solid.density = 7500.0;
+  const auto warnings = [&] { return Simulation(setup, mesh).check().warnings; };
+  for (const double gradient : {25e3, 50e3, 75e3}) {
+    setup.in_situ->gradient_yy = gradient;
+    EXPECT_THAT(warnings(), Each(Not(HasSubstr("weight")))) << gradient;
+  }
+  setup.in_situ->gradient_yy = 0.0;
+  EXPECT_THAT(warnings(), Contains(HasSubstr("gradient_yy = 50000 (Pa/m) carries it on average")));
+  setup.boundary.erase("top");
+  setup.body["platen"].regions = {"upper"};
+  setup.body["platen"].rigid = true;
+  EXPECT_THAT(warnings(), Contains(HasSubstr("gradient_yy = 25000 (Pa/m) carries it;")));
 }
 
 }  // namespace
