@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/case/plausible_loads.hpp"
 
-#include "percolith/simulation/boundary_supports.hpp"
+#include "percolith/simulation/holds_rock.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/case/rules.hpp"
-#include "percolith/simulation/boundary_supports.hpp"
+#include "percolith/case/supports.hpp"
 
 #include <algorithm>
 
@@ -9,8 +9,6 @@ namespace percolith::case_file {
 namespace {
 
 using simulation::BoundaryCondition;
-using simulation::Support;
-using simulation::supports;
 
 /// A support and those that cannot stand beside it on one boundary.
 struct Conflict {

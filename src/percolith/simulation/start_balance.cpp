@@ -2,8 +2,8 @@
 #include "percolith/simulation/start_balance.hpp"
 
 #include "percolith/core/quantity_text.hpp"
-#include "percolith/simulation/boundary_supports.hpp"
 #include "percolith/simulation/groups.hpp"
+#include "percolith/simulation/holds_rock.hpp"
 #include "percolith/simulation/solid_build.hpp"
 
 #include <fmt/format.h>

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "percolith/simulation/boundary_supports.hpp"
+#include "percolith/case/supports.hpp"
 
 #include <array>
-#include <optional>
 
-namespace percolith::simulation {
+namespace percolith::case_file {
 
 namespace {
+
+using simulation::BoundaryCondition;
 
 constexpr std::array<Support, 12> all_supports{{
     {"fixed", [](const BoundaryCondition& c) { return c.fixed; }},
@@ -29,15 +30,4 @@ std::span<const Support> supports() {
   return all_supports;
 }
 
-bool holds_rock(const BoundaryCondition& condition) {
-  const auto pushes = [](const std::optional<Schedule>& load) {
-    return load && load->largest() != 0.0;
-  };
-  return condition.fixed || condition.roller || condition.in_situ || condition.displacement_x ||
-         condition.displacement_y || condition.velocity_x || condition.velocity_y ||
-         pushes(condition.traction_x) || pushes(condition.traction_y) ||
-         pushes(condition.normal_pressure) ||
-         (condition.pressurised && (pushes(condition.pressure) || pushes(condition.head)));
-}
-
-}  // namespace percolith::simulation
+}  // namespace percolith::case_file
