@@ -37,6 +37,22 @@ Point along_edge(const mesh::Mesh& mesh, Index e) {
   return mesh.vertex[at(edge.vertex[1])] - mesh.vertex[at(edge.vertex[0])];
 }
 
+/// Regions that are taken out from the start.
+std::vector<Index> regions_taken_out(const Setup& setup, const mesh::Mesh& mesh) {
+  std::vector<Index> regions;
+  for (const auto& [name, excavation] : setup.excavation) {
+    if (excavation.start <= 0.0) {
+      const auto found = find_regions(mesh, excavation.regions, "excavation." + name + ".regions");
+      regions.insert(regions.end(), found.begin(), found.end());
+    }
+  }
+  return regions;
+}
+
+bool is_among(const std::vector<Index>& regions, Index region) {
+  return std::find(regions.begin(), regions.end(), region) != regions.end();
+}
+
 /// Per boundary edge whether a condition holds it or its rock is taken out.
 std::vector<std::uint8_t> kept_edges(const Setup& setup, const mesh::Mesh& mesh) {
   std::vector<std::uint8_t> kept(mesh.boundary.size(), 0);
@@ -47,34 +63,26 @@ std::vector<std::uint8_t> kept_edges(const Setup& setup, const mesh::Mesh& mesh)
       }
     }
   }
-  for (const auto& [name, excavation] : setup.excavation) {
-    if (excavation.start > 0.0) {
-      continue;
-    }
-    const auto regions = find_regions(mesh, excavation.regions, "excavation." + name + ".regions");
-    for (Index e = 0; e < edges_of(mesh); ++e) {
-      const Index region = mesh.region[at(mesh::triangle_of(mesh.boundary[at(e)].corner[0]))];
-      if (std::find(regions.begin(), regions.end(), region) != regions.end()) {
-        kept[at(e)] = 1;
-      }
+  const std::vector<Index> taken_out = regions_taken_out(setup, mesh);
+  for (Index e = 0; e < edges_of(mesh); ++e) {
+    if (is_among(taken_out, mesh.region[at(mesh::triangle_of(mesh.boundary[at(e)].corner[0]))])) {
+      kept[at(e)] = 1;
     }
   }
   return kept;
 }
 
-/// Per boundary edge the traction, Pa, with which the in-situ stress springs back.
-std::vector<Point> bare_tractions(const Setup& setup, const mechanics::Model& model) {
-  const mesh::Mesh& mesh = model.mesh;
-  std::vector<Point> bare(mesh.boundary.size());
-  for (Index e = 0; e < edges_of(mesh); ++e) {
-    const Point along = along_edge(mesh, e);
-    const Point middle = mesh.middle_of(mesh.boundary[at(e)].vertex);
-    bare[at(e)] =
-        (1.0 / size_of(along)) * (in_situ_stress(*setup.in_situ, middle) * clockwise(along));
-  }
+/// Per boundary edge the size of the traction, Pa, with which the in-situ stress springs back.
+std::vector<double> bare_tractions(const Setup& setup, const mesh::Mesh& mesh) {
   const std::vector<std::uint8_t> kept = kept_edges(setup, mesh);
-  for (std::size_t e = 0; e < bare.size(); ++e) {
-    bare[e] = kept[e] != 0 ? Point{} : bare[e];
+  std::vector<double> bare(mesh.boundary.size(), 0.0);
+  for (Index e = 0; e < edges_of(mesh); ++e) {
+    if (kept[at(e)] == 0) {
+      const Point along = along_edge(mesh, e);
+      const Point middle = mesh.middle_of(mesh.boundary[at(e)].vertex);
+      bare[at(e)] =
+          size_of(in_situ_stress(*setup.in_situ, middle) * clockwise(along)) / size_of(along);
+    }
   }
   return bare;
 }
@@ -125,19 +133,18 @@ std::string pressure_advice(const Setup& setup, const mesh::Mesh& mesh,
 }
 
 // Rock that nothing holds at all is the matter of a warning of the case file.
-std::string edge_warning(const Setup& setup, const mechanics::Model& model, double stress) {
-  const mesh::Mesh& mesh = model.mesh;
-  const std::vector<Point> bare = bare_tractions(setup, model);
+std::string edge_warning(const Setup& setup, const mesh::Mesh& mesh, double stress) {
+  const std::vector<double> bare = bare_tractions(setup, mesh);
   std::vector<std::uint8_t> told(bare.size(), 0);
   double length = 0.0;
   Index worst = mesh::none;
   for (Index e = 0; e < edges_of(mesh); ++e) {
     const Point middle = mesh.middle_of(mesh.boundary[at(e)].vertex);
-    if (size_of(bare[at(e)]) >
+    if (bare[at(e)] >
         std::max(much_at_edges * stress, much_at_edge * principal_stress(*setup.in_situ, middle))) {
       told[at(e)] = 1;
       length += size_of(along_edge(mesh, e));
-      worst = worst == mesh::none || size_of(bare[at(e)]) > size_of(bare[at(worst)]) ? e : worst;
+      worst = worst == mesh::none || bare[at(e)] > bare[at(worst)] ? e : worst;
     }
   }
   if (worst == mesh::none ||
@@ -150,26 +157,18 @@ std::string edge_warning(const Setup& setup, const mechanics::Model& model, doub
       "in-situ stress ends at {:.4g} m of edges that do not hold it{}: up to {}, at ({:g}, {:g}). "
       "The rock springs out there when the run starts. A boundary with in_situ = true or a "
       "load holds it; an excavation lets it go slowly.{}",
-      length, names.empty() ? "" : " (" + quoted_list(names) + ")",
-      pressure_text(size_of(bare[at(worst)])), p.x, p.y, pressure_advice(setup, mesh, told));
+      length, names.empty() ? "" : " (" + quoted_list(names) + ")", pressure_text(bare[at(worst)]),
+      p.x, p.y, pressure_advice(setup, mesh, told));
 }
 
 /// Regions whose weight the rock does not feel: of rigid bodies, and what is not there from the
 /// start.
 std::vector<Index> regions_without_weight(const Setup& setup, const mesh::Mesh& mesh) {
-  std::vector<Index> regions;
-  const auto add = [&](const std::vector<std::string>& names, const std::string& key) {
-    const auto found = find_regions(mesh, names, key);
-    regions.insert(regions.end(), found.begin(), found.end());
-  };
+  std::vector<Index> regions = regions_taken_out(setup, mesh);
   for (const auto& [name, body] : setup.body) {
     if (body.rigid) {
-      add(body.regions, "body." + name + ".regions");
-    }
-  }
-  for (const auto& [name, excavation] : setup.excavation) {
-    if (excavation.start <= 0.0) {
-      add(excavation.regions, "excavation." + name + ".regions");
+      const auto found = find_regions(mesh, body.regions, "body." + name + ".regions");
+      regions.insert(regions.end(), found.begin(), found.end());
     }
   }
   return regions;
@@ -188,7 +187,7 @@ Densities densities_of(const Setup& setup, const mesh::Mesh& mesh) {
   double mass = 0.0;
   for (Index t = 0; t < mesh.triangles(); ++t) {
     const Index region = mesh.region[at(t)];
-    if (std::find(without.begin(), without.end(), region) == without.end()) {
+    if (!is_among(without, region)) {
       const double density = setup.material.at(material[at(region)]).solid.density;
       found.least = std::min(found.least, density);
       found.most = std::max(found.most, density);
@@ -237,7 +236,7 @@ std::vector<std::string> start_balance_warnings(const Setup& setup, const mechan
   const bool has_platen = std::any_of(setup.body.begin(), setup.body.end(),
                                       [](const auto& entry) { return entry.second.rigid; });
   if (!has_platen) {
-    warnings.push_back(edge_warning(setup, model, stress));
+    warnings.push_back(edge_warning(setup, model.mesh, stress));
   }
   warnings.push_back(weight_warning(setup, model.mesh, stress));
   std::erase(warnings, std::string());
