@@ -90,6 +90,7 @@ Case read_case_text(std::string_view text, const std::filesystem::path& file,
     choose_defaults(result.setup, result.locations);
     check_rules(result.setup, context);
   }
+  suggest_tables(root, problems);
   problems.throw_if_any();
   const std::vector<std::string> doubts = plausibility_warnings(result.setup, result.locations);
   result.warnings.insert(result.warnings.end(), doubts.begin(), doubts.end());

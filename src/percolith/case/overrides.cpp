@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "percolith/case/overrides.hpp"
 
+#include "percolith/case/nearest.hpp"
+#include "percolith/case/option.hpp"
 #include "percolith/case/path.hpp"
 #include "percolith/case/toml_parser.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
+#include <vector>
 
 namespace percolith::case_file {
 
@@ -78,7 +83,56 @@ void apply(Node& root, const std::string& text, Problems& problems) {
   }
 }
 
+bool made_by_override(const Entry& entry) {
+  return entry.value.key_location.file == override_location.file;
+}
+
+/// What is wrong with a table that lacks `missing`, of which the file has one named `nearest`.
+std::string no_such_table(std::string_view nearest, const std::string& path,
+                          const std::vector<std::string>& missing) {
+  std::vector<std::string_view> names;
+  for (const std::string_view key : missing) {
+    if (key.size() > path.size()) {
+      names.push_back(key.substr(path.size() + 1));
+    }
+  }
+  std::string reason =
+      fmt::format("the file has no such table; the nearest name is \"{}\"", nearest);
+  if (!names.empty()) {
+    reason += "; a new one lacks " + listed(names);
+  }
+  return reason;
+}
+
+void suggest_in(const Entry& kind, Problems& problems) {
+  std::vector<std::string_view> of_file;
+  for (const Entry& entry : kind.value.table()->list) {
+    if (!made_by_override(entry)) {
+      of_file.push_back(entry.key);
+    }
+  }
+  for (const Entry& entry : kind.value.table()->list) {
+    const std::string_view nearest = nearest_name(entry.key, of_file);
+    if (!made_by_override(entry) || nearest.empty()) {
+      continue;
+    }
+    const std::string path = join_key(kind.key, entry.key);
+    const std::vector<std::string> missing = problems.take_missing(path);
+    if (!missing.empty()) {
+      refuse(problems, path, {}, no_such_table(nearest, path, missing), listed(of_file));
+    }
+  }
+}
+
 }  // namespace
+
+void suggest_tables(const Node& root, Problems& problems) {
+  for (const Entry& kind : root.table()->list) {
+    if (kind.value.table() != nullptr) {
+      suggest_in(kind, problems);
+    }
+  }
+}
 
 void apply_overrides(Node& root, std::span<const std::string> overrides, Problems& problems) {
   for (const std::string& text : overrides) {

@@ -14,4 +14,9 @@ namespace percolith::case_file {
 /// be set is added to `problems`.
 void apply_overrides(Node& root, std::span<const std::string> overrides, Problems& problems);
 
+/// Where overrides alone have made a table such as [material.NAME], which lacks required options,
+/// and the file has one of nearly that name, one problem that names it takes the place of those of
+/// the missing things. To be called once all problems are known.
+void suggest_tables(const Node& root, Problems& problems);
+
 }  // namespace percolith::case_file

@@ -22,6 +22,26 @@ std::string all_lines(const std::vector<InputProblem>& problems) {
 InputErrors::InputErrors(std::vector<InputProblem> problems)
     : Error(ExitCode::input, all_lines(problems)), problems_(std::move(problems)) {}
 
+void Problems::add_missing(InputProblem problem) {
+  missing_.insert(problem.key);
+  add(std::move(problem));
+}
+
+std::vector<std::string> Problems::take_missing(const std::string& path) {
+  std::vector<std::string> keys;
+  const auto is_taken = [&](const InputProblem& problem) {
+    return missing_.count(problem.key) > 0 &&
+           (problem.key == path || problem.key.rfind(path + ".", 0) == 0);
+  };
+  for (const InputProblem& problem : problems_) {
+    if (is_taken(problem)) {
+      keys.push_back(problem.key);
+    }
+  }
+  problems_.erase(std::remove_if(problems_.begin(), problems_.end(), is_taken), problems_.end());
+  return keys;
+}
+
 bool Problems::touch(const std::string& key) const {
   return std::any_of(problems_.begin(), problems_.end(), [&](const InputProblem& problem) {
     return problem.key == key || problem.key.rfind(key + ".", 0) == 0 ||

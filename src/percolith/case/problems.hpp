@@ -3,6 +3,7 @@
 
 #include "percolith/core/error.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ private:
 class Problems {
 public:
   void add(InputProblem problem) { problems_.push_back(std::move(problem)); }
+  /// Adds that something required is missing.
+  void add_missing(InputProblem problem);
+  /// Takes out what add_missing has added of the table `path`: its keys.
+  [[nodiscard]] std::vector<std::string> take_missing(const std::string& path);
   /// True where a problem stands at this key, at one that it holds, or at one that holds it.
   [[nodiscard]] bool touch(const std::string& key) const;
   /// Throws InputErrors, in the order of the file, where there are any.
@@ -29,6 +34,7 @@ public:
 
 private:
   std::vector<InputProblem> problems_;
+  std::set<std::string> missing_;  ///< keys of required options
 };
 
 }  // namespace percolith::case_file

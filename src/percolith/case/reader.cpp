@@ -16,7 +16,7 @@ const Node* Reader::find(std::string_view name, Need need, std::string_view help
   if (node != nullptr) {
     context_.locations.add(key(name), {node->location, to_text(*node)});
   } else if (need == Need::required) {
-    context_.problems.add(
+    context_.problems.add_missing(
         {table_.key_location, key(name), {}, fmt::format("required but missing: {}", help), {}});
   }
   return node;

@@ -21,17 +21,30 @@ std::vector<std::string> Rules::given_of(const std::string& path,
   return keys;
 }
 
+bool Rules::is_known(const std::string& key, const std::vector<std::string>& others) const {
+  return context_.problems.touch(key) ||
+         std::any_of(others.begin(), others.end(),
+                     [&](const std::string& other) { return context_.problems.touch(other); });
+}
+
 void Rules::fail(const std::string& key, const std::vector<std::string>& others, std::string reason,
                  std::string allowed) {
-  const bool is_known = std::any_of(others.begin(), others.end(), [&](const std::string& other) {
-    return context_.problems.touch(other);
-  });
-  if (is_known || context_.problems.touch(key)) {
+  if (is_known(key, others)) {
     return;
   }
   Written written = context_.locations.nearest(key);
   context_.problems.add({std::move(written.location), key, std::move(written.value),
                          std::move(reason), std::move(allowed)});
+}
+
+void Rules::fail_missing(const std::string& key, const std::vector<std::string>& others,
+                         std::string reason, std::string allowed) {
+  if (is_known(key, others)) {
+    return;
+  }
+  Written written = context_.locations.nearest(key);
+  context_.problems.add_missing({std::move(written.location), key, std::move(written.value),
+                                 std::move(reason), std::move(allowed)});
 }
 
 void check_rules(const simulation::Setup& setup, Context& context) {
@@ -116,7 +129,8 @@ void check_requirements(Rules& rules) {
     for (const std::string& name : names_of(rule.option, rules.setup())) {
       const std::string key = with_name(rule.option, name);
       if (!rules.given(key) && rule.holds(rules.setup(), name)) {
-        rules.fail(key, keys_of(rule.needs, name), "required but missing: " + help_of(rule.option));
+        rules.fail_missing(key, keys_of(rule.needs, name),
+                           "required but missing: " + help_of(rule.option));
       }
     }
   }

@@ -28,8 +28,14 @@ public:
   /// Reports a problem of `key`, unless it or one of the `others` has one already.
   void fail(const std::string& key, const std::vector<std::string>& others, std::string reason,
             std::string allowed = {});
+  /// As fail, where something required is missing.
+  void fail_missing(const std::string& key, const std::vector<std::string>& others,
+                    std::string reason, std::string allowed = {});
 
 private:
+  /// True where `key` or one of the `others` has a problem already.
+  [[nodiscard]] bool is_known(const std::string& key, const std::vector<std::string>& others) const;
+
   const simulation::Setup& setup_;
   Context& context_;
 };

@@ -16,7 +16,7 @@ void check_one_of(Rules& rules, const std::string& path, const std::vector<std::
   const std::vector<std::string_view> views(names.begin(), names.end());
   const std::vector<std::string> keys = rules.given_of(path, names);
   if (keys.empty() && need == Need::required) {
-    rules.fail(path, {"model.physics"}, "one option is missing", "one of " + listed(views));
+    rules.fail_missing(path, {"model.physics"}, "one option is missing", "one of " + listed(views));
   }
   for (std::size_t i = 1; i < keys.size(); ++i) {
     report_contradiction(rules, keys[i], keys[0], views);

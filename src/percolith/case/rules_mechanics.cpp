@@ -81,7 +81,8 @@ void check_bodies(Rules& rules) {
 void check_forces(Rules& rules) {
   for (const auto& [name, force] : rules.setup().point_force) {
     if (!force.force_x && !force.force_y) {
-      rules.fail("point_force." + name, {}, "the force is missing", "force_x, force_y or both");
+      rules.fail_missing("point_force." + name, {}, "the force is missing",
+                         "force_x, force_y or both");
     }
   }
 }

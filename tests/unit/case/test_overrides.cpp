@@ -52,5 +52,31 @@ TEST(Overrides, StandBesideErrorsOfTheFile) {
             "\"explicit\"");
 }
 
+TEST(Overrides, AMisspeltTableIsToldByTheNameThatIsNear) {
+  EXPECT_EQ(
+      error_set({"material.rok.porosity=0.2"}),
+      "--set: error: material.rok: the file has no such table; the nearest name is \"rock\"; a "
+      "new one lacks \"regions\", \"permeability\"; allowed: \"rock\"");
+  EXPECT_EQ(
+      error_set({"boundary.lfet.pressure=1e5"}),
+      "--set: error: boundary.lfet: the file has no such table; the nearest name is \"left\"; "
+      "a new one lacks \"groups\"; allowed: \"left\"");
+}
+
+TEST(Overrides, AMisspeltSourceIsToldThoughItLacksOneOfSeveral) {
+  EXPECT_EQ(
+      error_of(minimal_case + "[source.upper]\npoint = [0, 0]\nrate = 1\n", {"source.uper.rate=2"}),
+      "--set: error: source.uper: the file has no such table; the nearest name is \"upper\"; "
+      "allowed: \"upper\"");
+}
+
+TEST(Overrides, ANewTableThatIsWholeOrOfAnotherNameIsJudgedAsInAFile) {
+  EXPECT_EQ(error_set({"boundary.left2.groups=[\"right\"]", "boundary.left2.pressure=1e5"}), "");
+  EXPECT_EQ(error_set({"boundary.far_away_side.pressure=1e5"}).substr(0, 68),
+            "--set: error: boundary.far_away_side.groups: required but missing: P");
+  EXPECT_EQ(error_set({"material.rock.porosity="}).substr(0, 72),
+            "case.toml:9:11: error: material.rock.porosity: required but missing: Vol");
+}
+
 }  // namespace
 }  // namespace percolith::case_file
