@@ -59,7 +59,7 @@ DrivenRun::DrivenRun(std::unique_ptr<runner::CaseRun> run, const runner::Console
   }
 }
 
-std::unique_ptr<DrivenRun> DrivenRun::start(const runner::RunRequest& request, Voice voice) {
+std::unique_ptr<DrivenRun> DrivenRun::start(const runner::RunRequest& request, const Voice& voice) {
   const runner::Console console = console_of(voice);
   const nb::gil_scoped_release unlocked;
   return std::unique_ptr<DrivenRun>(new DrivenRun(runner::CaseRun::start(request, console), console,
@@ -67,7 +67,7 @@ std::unique_ptr<DrivenRun> DrivenRun::start(const runner::RunRequest& request, V
 }
 
 std::unique_ptr<DrivenRun> DrivenRun::reopen(const std::string& folder, std::optional<int> threads,
-                                             bool quiet, Voice voice) {
+                                             bool quiet, const Voice& voice) {
   const runner::Console console = console_of(voice);
   const nb::gil_scoped_release unlocked;
   std::unique_ptr<runner::CaseRun> run = runner::CaseRun::reopen(folder, threads, quiet, console);

@@ -23,10 +23,10 @@ struct Voice {
 /// A run as Python drives it. Work is done without the interpreter's lock; one thread at a time.
 class DrivenRun {
 public:
-  static std::unique_ptr<DrivenRun> start(const runner::RunRequest& request, Voice voice);
+  static std::unique_ptr<DrivenRun> start(const runner::RunRequest& request, const Voice& voice);
   /// Null where the run has finished.
   static std::unique_ptr<DrivenRun> reopen(const std::string& folder, std::optional<int> threads,
-                                           bool quiet, Voice voice);
+                                           bool quiet, const Voice& voice);
 
   /// Reports time zero, or takes up the checkpoint, unless that was done.
   void begin();

@@ -11,7 +11,6 @@ namespace percolith::python {
 namespace {
 
 using mesh::Index;
-using mesh::Mesh;
 
 View<double> vertices(const MeshView& view, nb::handle self) {
   static_assert(sizeof(Point) == 2 * sizeof(double));
