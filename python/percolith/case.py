@@ -13,7 +13,7 @@ from typing import Any
 
 from percolith import _core
 from percolith.arguments import in_python, python_words
-from percolith.errors import CaseError, CaseWarning, FileError
+from percolith.errors import CaseError, CaseWarning, FileError, unknown_name
 from percolith.run_directory import RunDirectory
 from percolith.simulation import Simulation, start_run
 from percolith.toml_text import document, inline, plain
@@ -134,10 +134,14 @@ class Case(Options):
 
     def _find(self, path: str) -> Any:
         value: Any = self._tree
+        above: list[str] = []
         for name in path.split(".") if path else ():
             if not isinstance(value, dict) or name not in value:
-                raise KeyError(path)
+                names = value if isinstance(value, dict) else ()
+                raise unknown_name("option", ".".join([*above, name]),
+                                   [".".join([*above, other]) for other in names])
             value = value[name]
+            above.append(name)
         return value
 
     def _set(self, path: str, value: Any) -> None:

@@ -214,6 +214,17 @@ def test_equal_bits_for_one_and_two_threads(percolith, six_fractures, tmp_path):
     assert len(texts) == 1
 
 
+def test_a_folder_is_no_case_and_results_go_on_with_resume(percolith, strip, tmp_path):
+    assert percolith("run", strip, *STEADY).returncode == 0
+    before = files_of(tmp_path / "case.results")
+    for more in ((), ("--force",)):
+        done = percolith("run", "case.results", *more)
+        assert done.returncode == 2
+        assert done.stderr == ("error: case.results: is a folder; a run begins with a case file; allowed: "
+                               "a case file, or percolith run --resume FOLDER to go on with results\n")
+    assert files_of(tmp_path / "case.results") == before
+
+
 def test_earlier_results_need_force(percolith, strip, tmp_path):
     assert percolith("run", strip, *STEADY).returncode == 0
     before = files_of(tmp_path / "case.results")

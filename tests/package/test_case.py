@@ -33,8 +33,14 @@ def test_what_is_set_is_what_the_simulator_reads(strip):
 def test_what_is_taken_out_is_gone(strip):
     del strip["output.times"]
     assert not strip.resolved()["output"].get("times")
-    with pytest.raises(KeyError):
+    with pytest.raises(percolith.UnknownNameError):
         del strip["output.times"]
+
+
+def test_an_option_that_is_not_there_names_those_that_are(strip):
+    with pytest.raises(percolith.UnknownNameError, match="^no option time.nd; there are: time.end"):
+        strip["time.nd"]
+    assert "time.nd" not in strip and strip.get("time.nd", 3) == 3
 
 
 def test_numbers_keep_their_bits(strip):
