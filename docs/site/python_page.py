@@ -14,7 +14,7 @@ GROUPS = {
     "Runs": ["Simulation", "resume", "sweep", "Sweep", "SweepProgress"],
     "Results": ["open_run", "RunDirectory", "Frame", "Table", "Grid", "read_vtu", "report"],
     "Errors": ["Error", "CaseError", "CaseWarning", "Problem", "SolverError", "FileError",
-               "MeshError", "RunDirectoryError", "UnknownNameError", "VtuError"],
+               "MeshError", "RunDirectoryError", "ArgumentError", "UnknownNameError", "VtuError"],
 }
 # Classes of the extension that no one makes but a simulation hands out, by the attributes that do.
 HANDED_OUT = {"Mesh": "mesh", "Flow": "flow", "Motion": "motion", "CheckReport": "check()",

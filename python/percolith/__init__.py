@@ -20,7 +20,14 @@ from percolith.errors import (
     UnknownNameError,
 )
 from percolith.processor import require_processor
-from percolith.run_directory import Frame, RunDirectory, RunDirectoryError, Table, open_run
+from percolith.run_directory import (
+    ArgumentError,
+    Frame,
+    RunDirectory,
+    RunDirectoryError,
+    Table,
+    open_run,
+)
 from percolith.vtu import Grid, VtuError, read_vtu
 
 if TYPE_CHECKING:
@@ -42,10 +49,11 @@ _LATER = {
 }
 
 __all__ = [
-    "Case", "CaseError", "CaseWarning", "Error", "FileError", "Frame", "Grid", "MeshError",
-    "Option", "Problem", "RunDirectory", "RunDirectoryError", "Simulation", "SolverError", "Sweep",
-    "SweepProgress", "Table", "UnknownNameError", "VtuError", "__version__", "describe", "mesh",
-    "open_run", "option_names", "quantity", "read_vtu", "report", "resume", "sweep",
+    "ArgumentError", "Case", "CaseError", "CaseWarning", "Error", "FileError", "Frame", "Grid",
+    "MeshError", "Option", "Problem", "RunDirectory", "RunDirectoryError", "Simulation",
+    "SolverError", "Sweep", "SweepProgress", "Table", "UnknownNameError", "VtuError", "__version__",
+    "describe", "mesh", "open_run", "option_names", "quantity", "read_vtu", "report", "resume",
+    "sweep",
 ]
 
 

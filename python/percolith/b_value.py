@@ -42,9 +42,9 @@ def reason_for_none(magnitudes: np.ndarray) -> str:
     """Why these events have no b-value; empty where they have one."""
     bins = complete_bins(magnitudes)
     if len(bins) < MINIMUM_COUNT:
-        return f"fewer than {MINIMUM_COUNT} events above the fullest bin"
+        return f"fewer than {MINIMUM_COUNT} events in the fullest bin and above"
     if bins[-1] - bins[0] < MINIMUM_SPAN:
-        return f"magnitudes above the fullest bin span less than {MINIMUM_SPAN * BIN_WIDTH:g}"
+        return f"magnitudes from the fullest bin on span less than {MINIMUM_SPAN * BIN_WIDTH:g}"
     return ""
 
 

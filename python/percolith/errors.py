@@ -61,6 +61,13 @@ class UnknownNameError(Error, KeyError):
         return Exception.__str__(self)  # that of KeyError puts the message into quotes
 
 
+def did_you_mean(name: object, known: Iterable[str], most: int = 3) -> str:
+    """The end of a message on an unknown name: "; did you mean a, b?" with the nearest of those
+    known, or nothing where none is near."""
+    near = difflib.get_close_matches(str(name), list(known), n=most)
+    return f"; did you mean {', '.join(near)}?" if near else ""
+
+
 def unknown_name(what: str, name: object, known: Iterable[str]) -> UnknownNameError:
     """The error that there is no `what` of this name, only those known."""
     names = list(known)

@@ -3,14 +3,13 @@
 
 from __future__ import annotations
 
-import difflib
 import json
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
 from percolith import _core
-from percolith.errors import CaseError
+from percolith.errors import CaseError, did_you_mean
 
 
 @dataclass(frozen=True)
@@ -48,9 +47,8 @@ def describe(path: str) -> Option:
         parts = known.split(".")
         if len(parts) == len(names) and all(p in ("*", n) for p, n in zip(parts, names)):
             return _option(known)
-    near = difflib.get_close_matches(path, option_names(), n=3)
     raise CaseError(f"error: {path}: there is no such option"
-                    + (f"; did you mean {', '.join(near)}?" if near else ""))
+                    + did_you_mean(path, option_names()))
 
 
 def _option(path: str) -> Option:

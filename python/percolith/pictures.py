@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from percolith.crack_growth_picture import crack_growth_figure
+from percolith.errors import did_you_mean
 from percolith.event_picture import events_figure
 from percolith.flow_fields import FIELDS
 from percolith.history_picture import history_figure
@@ -48,8 +49,9 @@ def check_field(run: RunDirectory, field: str | None) -> str | None:
         if name in known:
             return name
     needs = "; head needs model.gravity > 0" if without_unit(str(field)) == "head" else ""
-    raise RunDirectoryError(f"{run.path}: no {field} in this run; there are: {', '.join(known)}"
-                            + needs)
+    near = did_you_mean(without_unit(str(field)), known, most=1) or ";"
+    raise RunDirectoryError(f"{run.path}: no {field} in this run{near} there are: "
+                            f"{', '.join(known)}{needs}")
 
 
 def check_scale(run: RunDirectory, scale: float | None) -> None:

@@ -21,6 +21,7 @@ import numpy as np
 
 from percolith.errors import Error, FileError, unknown_name
 from percolith.run_pictures import RunPictures
+from percolith.short_text import counted, listed, table_text
 from percolith.times import ALLOWED, seconds
 from percolith.vtu import Grid, VtuError, read_vtu
 
@@ -82,6 +83,10 @@ class Frame:
     matrix: Grid
     cracks: Grid | None
 
+    def __repr__(self) -> str:
+        cracks = "no cracks" if self.cracks is None else f"cracks of {self.cracks.size_text}"
+        return f"Frame(time={self.time:g} s, matrix of {self.matrix.size_text}, {cracks})"
+
     def crack_table(self) -> Table:
         """The segments of the cracks, a row each: x0_m, y0_m, x1_m, y1_m of their ends and all that
         is known of them. What is known at the ends, as pressure_Pa and saturation, is the mean of
@@ -100,9 +105,16 @@ class Frame:
 @dataclass
 class Table:
     """Columns of a CSV file by their names, in the order of the file. A name that is not there
-    raises UnknownNameError, a KeyError that tells those that are."""
+    raises UnknownNameError, a KeyError that tells those that are. `print` shows the first and last
+    rows."""
 
     columns: dict[str, np.ndarray]
+
+    def __repr__(self) -> str:
+        return f"Table({counted(len(self), 'row')}; columns: {listed(self.columns)})"
+
+    def __str__(self) -> str:
+        return table_text(self.columns)
 
     def __getitem__(self, name: str) -> np.ndarray:
         if name not in self.columns:

@@ -63,7 +63,8 @@ def _numbers(point: Point) -> dict[str, float]:
     if not point.outcome:
         return {}
     summary = point.results().summary
-    parts = [summary, summary.get("mechanics", {}), summary.get("mass_balance", {})]
+    inner = ("mechanics", "mass_balance", "extremes")
+    parts = [summary, *(summary.get(name, {}) for name in inner)]
     row = {name: value for part in parts for name, value in part.items()
            if isinstance(value, (int, float)) and not isinstance(value, bool)}
     rates = summary.get("rate_m2_per_s", {})

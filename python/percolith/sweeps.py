@@ -26,6 +26,7 @@ import sys
 import tempfile
 import threading
 import warnings
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import contextmanager, nullcontext, suppress
@@ -38,12 +39,14 @@ from percolith.arguments import whole_number
 from percolith.case import Case, Options
 from percolith.errors import CaseError, CaseWarning, Error, FileError, Problem
 from percolith.run_directory import RunDirectory, Table
+from percolith.short_text import counted
 from percolith.simulation import resume, start_run
 from percolith.sweep_progress import SweepProgress, Tally, display
 from percolith.sweep_table import table_of
 from percolith.toml_text import plain
 
 _PLAN = "sweep.json"
+_FEW = 1000  # points, whose states are soon read
 _OF_THE_MESH = ("file", "element_size", "groups", "regions", "point", "points")
 """Names of options that only the mesh can tell to be wrong."""
 
@@ -112,6 +115,14 @@ class Sweep:
             raise CaseError(f"{folder}: error: no sweep here: {error}") from error
         except (KeyError, TypeError) as error:
             raise CaseError(f"{folder}: error: no sweep here: {_PLAN} is not a plan") from error
+
+    def __repr__(self) -> str:
+        count = len(self._plan["points"])
+        told = [counted(count, "point")]
+        if count <= _FEW:
+            states = Counter(point.state for point in self.points)
+            told += [f"{number} {state}" for state, number in sorted(states.items())]
+        return f"Sweep({self.folder}: {', '.join(told)})"
 
     @property
     def points(self) -> list[Point]:
@@ -209,9 +220,10 @@ class Sweep:
         mechanics and of the mass balance among them, and the rate of each condition at the end as
         `boundary.left_m2_per_s`, called as in the history; NaN where there is none. Options whose
         values are numbers, or texts with a unit, are in SI, with the unit at the end of the name:
-        `source.pump.rate_m2_per_s`; those with other values among them are texts by their path. The
-        highest pressure of a source in cracks is in `peak_pressures.source.pump.pressure_Pa`,
-        reached at `peak_pressures.source.pump.time_s`."""
+        `source.pump.rate_m2_per_s`; those with other values among them are texts by their path. Of
+        flow it has the extremes at the end, as `maximum_crack_pressure_Pa`. The highest pressure
+        of a source in cracks is in `peak_pressures.source.pump.pressure_Pa`, reached at
+        `peak_pressures.source.pump.time_s`."""
         return table_of(self.points)
 
 

@@ -57,6 +57,6 @@ def _without_simulator(text: str) -> float:
     word = unit.lower().removesuffix("s") if len(unit) > 3 else unit
     factor = _UNITS.get(word)
     if factor is None:
-        raise ValueError(f'the unit "{unit}" is not known without the simulator, where '
-                         f'{", ".join(_UNITS)} are')
+        raise ValueError(f'the unit "{unit}" is not one of time that is read here: '
+                         f'{", ".join(_UNITS)}')
     return float(number) * factor

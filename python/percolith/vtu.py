@@ -15,6 +15,7 @@ import numpy as np
 
 from percolith.compressed_blocks import unpack
 from percolith.errors import Error, FileError, unknown_name
+from percolith.short_text import counted, listed
 
 _TYPES = {"Float64": "<f8", "Float32": "<f4", "Int32": "<i4", "Int64": "<i8", "UInt8": "u1"}
 
@@ -98,6 +99,18 @@ class Grid:
     def cells(self) -> np.ndarray:
         """Numbers (m, 2) or (m, 3) of the points of each cell."""
         return self._made("cells")
+
+    @property
+    def size_text(self) -> str:
+        """Its numbers of points and cells in words, or that its file is damaged."""
+        try:
+            return f"{counted(len(self.points), 'point')} and {counted(len(self.cells), 'cell')}"
+        except VtuError:  # To look at a grid must not fail.
+            return "damaged points or cells"
+
+    def __repr__(self) -> str:
+        return (f"Grid(time={self.time:g} s, {self.size_text}; of points: "
+                f"{listed(self.point_data)}; of cells: {listed(self.cell_data)})")
 
     def found_with(self, other: Grid, find: Callable[[Grid, Grid], _Found]) -> _Found:
         """What `find` makes of this grid and another, found once for as long as this one is in

@@ -52,6 +52,9 @@ def test_a_rectangle_with_a_crack(tmp_path):
     assert made.fractures == ("crack",) and made.sides == ("bottom", "left", "right", "top")
     assert report.smallest_edge < 0.06 and report.largest_edge > 0.15
     assert not made.changes
+    assert repr(made) == (f"MadeMesh({made.file}: {made.triangles} triangles, {made.points} points"
+                          "; regions: rock; sides: bottom, left, right, top; fractures: crack; "
+                          "0 changes)")
 
 
 @pytest.mark.parametrize("irregular", [True, False])

@@ -41,6 +41,9 @@ def test_all_combinations_are_run_and_told(case, tmp_path):
     table = sweep.table()
     assert list(table["state"]) == ["finished"] * 4
     assert table["in_m2"][2] == pytest.approx(2 * table["in_m2"][0], rel=0.2)
+    for name in ("maximum_pressure_Pa", "minimum_pressure_Pa", "minimum_saturation"):
+        assert table[name][2] == sweep.points[2].results().summary["extremes"][name], name
+    assert table["maximum_pressure_Pa"] == pytest.approx([1e5, 1e5, 2e5, 2e5])
     assert table["boundary.left_m2_per_s"][0] > 0 > table["boundary.right_m2_per_s"][0]
     for point, rate in zip(sweep.points, table["boundary.left_m2_per_s"]):
         assert rate == point.results().history["boundary.left_m2_per_s"][-1]
@@ -97,6 +100,15 @@ def test_what_has_finished_is_not_run_again_and_the_rest_goes_on(case, tmp_path)
     assert "goes on from the checkpoint" in (sweep.points[1].folder / "run.log").read_text()
     shutil.rmtree(sweep.points[3].folder)
     assert np.isnan(sweep.table()["end_time_s"][3]) and sweep.points[3].state == "waiting"
+
+
+def test_a_sweep_is_printed_with_the_states_of_its_points(case, tmp_path, monkeypatch):
+    sweep = percolith.sweep(case, {"material.rock.porosity": [0.1, 0.2, 0.3]}, tmp_path / "study")
+    assert repr(sweep) == f"Sweep({sweep.folder}: 3 points, 3 waiting)"
+    sweep.run_point(1)
+    assert repr(sweep) == f"Sweep({sweep.folder}: 3 points, 1 finished, 2 waiting)"
+    monkeypatch.setattr(percolith.sweeps, "_FEW", 2)
+    assert repr(sweep) == f"Sweep({sweep.folder}: 3 points)"
 
 
 def test_points_may_be_listed_one_by_one(case, tmp_path):

@@ -261,7 +261,7 @@ def test_few_events_have_no_b_value():
 def test_events_much_alike_have_no_b_value():
     alike = np.repeat([-3.0, -2.9, -2.6], [100, 50, 20])
     assert b_value(alike) is None
-    assert reason_for_none(alike) == "magnitudes above the fullest bin span less than 0.5"
+    assert reason_for_none(alike) == "magnitudes from the fullest bin on span less than 0.5"
     assert reason_for_none(np.concatenate([alike, [-2.5]])) == ""
 
 
@@ -271,7 +271,7 @@ def test_the_picture_of_events_says_why_it_has_no_b_value(tmp_path, monkeypatch)
     for count in (150, 30):
         run = RunDirectory(write_mechanics_run(tmp_path / f"{count}", events=count))
         assert draw_events(run, tmp_path / "events.png").is_file()
-    assert notes == ["no b-value: fewer than 50 events above the fullest bin"]
+    assert notes == ["no b-value: fewer than 50 events in the fullest bin and above"]
 
 
 def test_the_places_of_events_fill_their_panel():

@@ -7,7 +7,7 @@ import pytest
 from matplotlib.collections import LineCollection
 from matplotlib.colors import to_rgb
 from matplotlib.quiver import Quiver
-from percolith import RunDirectory, RunDirectoryError, plot
+from percolith import ArgumentError, RunDirectory, RunDirectoryError, plot
 from percolith.crack_fields import (
     CRACK_FIELDS,
     chosen_segments,
@@ -232,7 +232,7 @@ def test_an_unknown_quantity_of_cracks(block, capsys):
     with pytest.raises(SystemExit):
         plot.main([str(block.path), "--cracks", "colour"])
     assert "invalid choice: 'colour' (choose from" in capsys.readouterr().err
-    with pytest.raises(RunDirectoryError, match="^cracks = colour: unknown; allowed: auto, mode"):
+    with pytest.raises(ArgumentError, match="^cracks = colour: unknown; allowed: auto, mode"):
         block.plot(cracks="colour")
 
 

@@ -16,6 +16,7 @@ from percolith.errors import FileError, MeshError
 from percolith.mesh.arrangement import BOUNDARY, Arrangement, Change
 from percolith.mesh.fractures import Fracture
 from percolith.mesh.outline import Outline
+from percolith.short_text import counted, listed
 
 _DELAUNAY, _FRONTAL = 5, 6  # algorithms of Gmsh; the second likes lattices of equilateral triangles
 
@@ -54,6 +55,12 @@ class MadeMesh:
     meshed_length: float = 0.0
     left_out: tuple[int, ...] = ()
     lost_groups: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        return (f"MadeMesh({self.file}: {counted(self.triangles, 'triangle')}, "
+                f"{counted(self.points, 'point')}; regions: {listed(self.regions)}; sides: "
+                f"{listed(self.sides)}; fractures: {listed(self.fractures)}; "
+                f"{counted(len(self.changes), 'change')})")
 
     def report(self) -> str:
         """What was asked for and what was made in the first line; then a line for each group of
