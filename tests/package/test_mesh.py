@@ -408,6 +408,48 @@ def test_wrong_arguments_name_the_shape_that_was_asked_for(tmp_path):
     assert not file.exists()
 
 
+NUMBERS = {
+    mesh.rectangle: {"width": 10, "height": 10},
+    mesh.disc: {"radius": 5, "flat_deg": 12},
+    mesh.borehole: {"width": 10, "height": 10, "radius": 1, "size_at_hole": 0.2},
+    mesh.tunnel: {"width": 20, "height": 20, "tunnel_width": 3, "wall_height": 2,
+                  "size_at_wall": 0.5},
+    mesh.slope: {"height": 10, "angle_deg": 60, "foot": 5, "crest": 5, "depth": 5},
+}
+OF_ALL = {"size": 1, "size_at_fractures": 0.5, "growth": 0.2, "tolerance": 0.1,
+          "smallest_angle_deg": 20}
+UNITS = {"growth": "a positive number", "flat_deg": "a number in degrees",
+         "angle_deg": "a number in degrees", "smallest_angle_deg": "a number in degrees"}
+
+
+@pytest.mark.parametrize("shape, name", [
+    (shape, name) for shape, own in NUMBERS.items() for name in {**own, **OF_ALL}])
+def test_a_text_in_place_of_a_number_is_told_with_the_name(tmp_path, shape, name):
+    arguments = {**NUMBERS[shape], **OF_ALL, name: "0.1 m"}
+    wanted = f"^{name} = '0.1 m': not {UNITS.get(name, 'a positive length in m')}$"
+    with pytest.raises(percolith.MeshError, match=wanted):
+        shape(tmp_path / "m.msh", **arguments)
+    in_order = [arguments.pop(one) for one, taken in inspect.signature(shape).parameters.items()
+                if taken.kind is taken.POSITIONAL_OR_KEYWORD and one in arguments]
+    with pytest.raises(percolith.MeshError, match=wanted):
+        shape(tmp_path / "m.msh", *in_order, **arguments)
+
+
+@pytest.mark.parametrize("name, unit", [
+    ("shortest", " in m"), ("longest", " in m"), ("density", " in 1/m"), ("exponent", ""),
+    ("angle_deg", " in degrees"), ("spread_deg", " in degrees")])
+def test_a_set_names_what_is_no_number(name, unit):
+    with pytest.raises(percolith.MeshError, match=f"^{name} = '2 m': not a number{unit}$"):
+        mesh.FractureSet(**{name: "2 m"})
+
+
+def test_a_fracture_and_sides_have_numbers(tmp_path):
+    with pytest.raises(percolith.MeshError, match="points of a fracture: not pairs of numbers"):
+        mesh.Fracture([("0.1 m", 0), (1, 1)])
+    with pytest.raises(percolith.MeshError, match="^size_at_fine_sides = '1 m': not a positive"):
+        make(tmp_path, fine_sides=["left"], size_at_fine_sides="1 m")
+
+
 def test_a_fracture_that_is_left_out_is_told_once(tmp_path):
     made = mesh.rectangle(tmp_path / "block.msh", 10, 10, size=1, fractures=[
         mesh.Fracture([[20, 0], [21, 1]]), mesh.Fracture([[2, 2], [5, 5]])])

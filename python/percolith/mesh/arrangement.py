@@ -23,20 +23,34 @@ _MOST_PASSES = 500
 class Change:
     """What was done to fractures so that they can be meshed. kind: "points merged", "end moved to
     a line", "run together", "left out", of a part, or "left out as a whole". fractures: their
-    numbers, from 0. place: m. distance: m, by how much something was moved, or over which length
-    two run together or one was left out. reason: why one is left out as a whole."""
+    numbers, from 0; of two that run together the second follows the first. place: m, where two that
+    run together meet. distance: m, by how much something was moved, or over which length two run
+    together or one was left out. reason: why one is left out as a whole. groups: of the fractures.
+    until: m, to where two run together. side: of the outline, where a fracture follows it."""
 
     kind: str
     fractures: tuple[int, ...]
     place: tuple[float, float]
     distance: float
     reason: str = ""
+    groups: tuple[str, ...] = ()
+    until: tuple[float, float] | None = None
+    side: str = ""
 
     def __str__(self) -> str:
-        who = " and ".join(map(str, self.fractures)) or "none"
-        x, y = (round(value, 9) + 0.0 for value in self.place)
-        return (f"{self.kind} at ({x:.6g}, {y:.6g}): fracture {who}, "
+        groups = [f" ({group})" for group in self.groups] or [""] * len(self.fractures)
+        who = " and ".join(f"{number}{group}" for number, group in zip(self.fractures, groups))
+        along = self.side and f" and side {self.side}"
+        # Two may run together to both sides of where they meet.
+        where = (f"at {_place_text(self.place)}" if self.until is None
+                 else f"from {_place_text(self.place)} to {_place_text(self.until)}")
+        return (f"{self.kind} {where}: fracture {who or 'none'}{along}, "
                 f"{self.distance:.3g} m{self.reason and ', ' + self.reason}")
+
+
+def _place_text(place: tuple[float, float]) -> str:
+    x, y = (round(value, 9) + 0.0 for value in place)
+    return f"({x:.6g}, {y:.6g})"
 
 
 @dataclass(frozen=True)
@@ -66,6 +80,7 @@ class Arrangement:
         self.changes: list[Change] = []
         self._covered: dict[int, dict[str, None]] = {}  # what lies where each fracture would
         self._outline = outline
+        self._groups = [fracture.group for fracture in fractures]
         for loop in [outline, *outline.holes]:
             self._add_line(np.vstack([loop.corners, loop.corners[:1]]), BOUNDARY, loop.sides)
         self._outside: set[int] = set()  # fractures that lose something there
@@ -142,10 +157,13 @@ class Arrangement:
         raise MeshError("the fractures cannot be brought apart; a smaller tolerance or fewer "
                         "fractures may help")
 
-    def _note(self, kind: str, owners, place: np.ndarray, distance: float) -> None:
+    def _note(self, kind: str, owners, place: np.ndarray, distance: float,
+              until: np.ndarray | None = None, side: str = "") -> None:
         numbers = tuple(sorted({owner for owner in owners if owner != BOUNDARY}))
-        self.changes.append(Change(kind, numbers, (float(place[0]), float(place[1])),
-                                   float(distance)))
+        self.changes.append(Change(
+            kind, numbers, (float(place[0]), float(place[1])), float(distance),
+            groups=tuple(self._groups[number] for number in numbers),
+            until=None if until is None else (float(until[0]), float(until[1])), side=side))
 
     def _owners(self, node: int) -> set[int]:
         return {edge.owner for edge in self.edges if node in (edge.a, edge.b)}
@@ -271,8 +289,10 @@ class Arrangement:
         # A little more than the tolerance, so that both ends of the step between them stay.
         tolerance = min(self._tolerance_at(keep[2]), self._tolerance_at(move[2]))
         way = 1.2 * tolerance / (2.0 * math.sin(0.5 * angle))
-        self._note("run together", {keep[2].owner, move[2].owner}, self.nodes[node], way)
         on_keep = self._node_along(node, keep, way, tolerance)
+        along = min(self._distance(node, on_keep), self._distance(node, move[1]))
+        self._note("run together", {keep[2].owner, move[2].owner}, self.nodes[node], along,
+                   self.nodes[on_keep], keep[2].side)
         rest = [edge for edge in self.edges if edge != move[2]]
         on_move = move[1]
         if way < self._distance(node, move[1]) - tolerance:
@@ -325,7 +345,8 @@ class Arrangement:
                 reasons = ["without length"]
             x, y = fracture.points.mean(axis=0)
             gone.append(Change("left out as a whole", (number,), (float(x), float(y)),
-                               fracture.length, " and ".join(reasons) or "merged to a point"))
+                               fracture.length, " and ".join(reasons) or "merged to a point",
+                               (fracture.group,)))
         self.changes[:0] = gone
 
 

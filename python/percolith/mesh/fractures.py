@@ -11,14 +11,14 @@ from numbers import Integral
 import numpy as np
 
 from percolith.errors import MeshError
-from percolith.mesh.outline import Outline, as_places
+from percolith.mesh.outline import Outline, as_places, require_number
 
 
 @dataclass
 class Fracture:
     """The trace of a fracture, a line through `points` (n, 2), m. `group` is the name of its curve
     in the mesh; several may share one. is_random: whether a network has it by chance; meshes do not
-    warn of those that they leave out."""
+    warn of those that they leave out, but of how many follow others."""
 
     points: np.ndarray
     group: str = "fractures"
@@ -58,6 +58,10 @@ class FractureSet:
     group: str = "fractures"
 
     def __post_init__(self) -> None:
+        require_number("m", shortest=self.shortest, longest=self.longest)
+        require_number("1/m", density=self.density)
+        require_number("degrees", angle_deg=self.angle_deg, spread_deg=self.spread_deg)
+        require_number(exponent=self.exponent)
         if not 0.0 < self.shortest <= self.longest < math.inf:
             raise MeshError(f"lengths from {self.shortest} to {self.longest} m: allowed: "
                             "0 < shortest <= longest")

@@ -14,12 +14,17 @@ from percolith.errors import MeshError
 from percolith.mesh.arrangement import arrange
 from percolith.mesh.fractures import Fracture
 from percolith.mesh.gmsh_mesh import MadeMesh, Sizes, make_mesh
-from percolith.mesh.left_out import warn_of_left_out
-from percolith.mesh.outline import Outline, require_positive
+from percolith.mesh.left_out import warn_of_left_out, warn_of_run_together
+from percolith.mesh.outline import Outline, require_number, require_positive
 
 _Shape = TypeVar("_Shape", bound=Callable[..., MadeMesh])
-# Those that are compared before they are checked.
-_LENGTHS = {"size", "size_at_fractures", "size_at_fine_sides", "size_at_hole", "size_at_wall"}
+# Arguments of all shapes by what they are, so that a wrong one is told before it is reckoned with.
+_LENGTHS = {"size", "size_at_fractures", "size_at_fine_sides", "size_at_hole", "size_at_wall",
+            "tolerance", "width", "height", "radius", "tunnel_width", "wall_height", "foot",
+            "crest", "depth"}
+_ANGLES = {"smallest_angle_deg", "flat_deg", "angle_deg"}
+_MAY_BE_NONE = {"size_at_fractures", "size_at_fine_sides", "size_at_hole", "size_at_wall",
+                "tolerance"}
 _WIDTH = 96  # letters on a line of a docstring
 
 
@@ -78,13 +83,26 @@ def with_options(shape: _Shape) -> _Shape:
         if unknown := options.keys() - own.keys():
             raise TypeError(f"{shape.__name__}() takes no {min(unknown)!r}; it takes: "
                             f"{', '.join(own)}")
-        require_positive(**{name: options[name] for name in options.keys() & _LENGTHS
-                            if options[name] is not None})
+        _require_numbers({**dict(zip(own, arguments)), **options})
         return shape(*arguments, **options)
 
     asked.__signature__ = signature.replace(parameters=[
         parameter for parameter in own.values() if parameter.name != "meshing"])
     return asked
+
+
+def _require_numbers(given: dict[str, Any]) -> None:
+    """Raises MeshError for the first of the arguments that should be a number and is none, or a
+    length that is not positive."""
+    for name, value in given.items():
+        if value is None and name in _MAY_BE_NONE:
+            continue
+        if name in _LENGTHS:
+            require_positive(**{name: value})
+        elif name in _ANGLES:
+            require_number("degrees", **{name: value})
+        elif name == "growth":
+            require_positive("number", growth=value)
 
 
 @with_options
@@ -94,15 +112,12 @@ def outline_mesh(path: str | os.PathLike, outline: Outline, *, size: float,
                  smallest_angle_deg: float = 20.0, irregular: bool = True,
                  fine_sides: Sequence[str] = (),
                  size_at_fine_sides: float | None = None) -> MadeMesh:
-    """Meshes any outline. A fracture that is left out, as a whole or in part, is a CaseWarning."""
-    require_positive(size=size, growth=growth)
+    """Meshes any outline. A fracture that is left out, as a whole or in part, is a CaseWarning, and
+    so are those that follow others over more than 5 % of their length."""
     near = size if size_at_fractures is None else size_at_fractures
-    require_positive(size_at_fractures=near)
     fine = near if size_at_fine_sides is None else size_at_fine_sides
-    require_positive(size_at_fine_sides=fine)
     near, fine = min(near, size), min(fine, size)
     gap = 0.5 * near if tolerance is None else tolerance
-    require_positive(tolerance=gap)
     if gap > near:
         raise MeshError(f"tolerance = {gap}: larger than the elements at fractures, which would "
                         f"merge what they can show; allowed: up to {near:g} m")
@@ -121,4 +136,5 @@ def outline_mesh(path: str | os.PathLike, outline: Outline, *, size: float,
     made = make_mesh(path, outline, fractures, lines,
                      Sizes(size, near, fine, growth, tuple(fine_sides), irregular))
     warn_of_left_out(made, fractures)
+    warn_of_run_together(made, fractures, smallest_angle_deg)
     return made

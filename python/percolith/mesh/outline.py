@@ -105,8 +105,15 @@ def as_place(given: Any, name: str) -> tuple[float, float]:
     return float(place[0]), float(place[1])
 
 
-def require_positive(**lengths: float) -> None:
-    """Raises MeshError for a length that is not a positive number."""
-    for name, length in lengths.items():
-        if not isinstance(length, Real) or not 0.0 < length < math.inf:
-            raise MeshError(f"{name} = {length!r}: not a positive length in m")
+def require_positive(what: str = "length in m", /, **values: float) -> None:
+    """Raises MeshError for a value that is not a positive number."""
+    for name, value in values.items():
+        if not isinstance(value, Real) or not 0.0 < value < math.inf:
+            raise MeshError(f"{name} = {value!r}: not a positive {what}")
+
+
+def require_number(unit: str = "", /, **values: float) -> None:
+    """Raises MeshError for a value that is no number, as a text with a unit is none."""
+    for name, value in values.items():
+        if not isinstance(value, Real):
+            raise MeshError(f"{name} = {value!r}: not a number{unit and ' in ' + unit}")

@@ -12,7 +12,7 @@ import numpy as np
 from percolith.errors import MeshError
 from percolith.mesh.gmsh_mesh import MadeMesh
 from percolith.mesh.meshing import Meshing, SideMeshing, outline_mesh, with_options
-from percolith.mesh.outline import Outline, as_place, box, circle, require_positive
+from percolith.mesh.outline import Outline, as_place, box, circle
 
 
 @with_options
@@ -88,9 +88,7 @@ def tunnel(path: str | os.PathLike, width: float, height: float, tunnel_width: f
     is a region of its own, tunnel, that the case takes out later; its wall lies within the rock until then, and is no side
     that a boundary could refer to. size_at_wall: of the elements there, m; a twelfth of the
     width of the tunnel where it is not given. Fractures within the tunnel are left out."""
-    require_positive(tunnel_width=tunnel_width, wall_height=wall_height, size=size)
     fine = min(size, tunnel_width / 12.0) if size_at_wall is None else size_at_wall
-    require_positive(size_at_wall=fine)
     middle = as_place(centre, "centre")
     radius = 0.5 * tunnel_width
     steps = max(8, math.ceil(math.pi * radius / fine))
@@ -123,7 +121,6 @@ def slope(path: str | os.PathLike, height: float, angle_deg: float, *, foot: flo
     """A slope whose toe is the origin: it rises by height at angle_deg to the right, before it lies
     ground of the length foot, behind its edge ground of the length crest, and all reaches down to
     depth below the toe. Sides left, right, bottom, ground, face and crest."""
-    require_positive(height=height, foot=foot, crest=crest, depth=depth, size=size)
     if not 0.0 < angle_deg <= 90.0:
         raise MeshError(f"angle_deg = {angle_deg}: allowed: more than 0, up to 90 degrees")
     back = height / math.tan(math.radians(angle_deg)) if angle_deg < 90.0 else 0.0
