@@ -19,7 +19,7 @@ from percolith.short_text import counted, listed
 
 _TYPES = {"Float64": "<f8", "Float32": "<f4", "Int32": "<i4", "Int64": "<i8", "UInt8": "u1"}
 
-_DAMAGE = (KeyError, ValueError, TypeError, AttributeError, ElementTree.ParseError)
+_DAMAGE = (LookupError, ValueError, TypeError, AttributeError, ElementTree.ParseError)
 _Found = TypeVar("_Found")
 _SMALL = 2**24  # bytes of a file that is read whole; each larger one keeps a file open
 _END = b"</VTKFile>"

@@ -92,3 +92,16 @@ def test_an_empty_file_and_a_wrong_number_of_cells_are_told(tmp_path, monkeypatc
     file.write_bytes(b"")
     with pytest.raises(VtuError, match="matrix_000001.vtu"):
         read_vtu(file)
+
+
+def test_zeros_in_place_of_the_arrays_are_told(tmp_path):
+    file = write_mechanics_run(tmp_path / "run") / "fields/matrix_000001.vtu"
+    content = file.read_bytes()
+    start = content.index(b"_", content.index(b"<AppendedData")) + 1
+    file.write_bytes(content[:start] + bytes(len(content) - start))
+    with pytest.raises(VtuError, match="matrix_000001.vtu"):
+        _ = read_vtu(file).points
+    end = content.rindex(b"</AppendedData>")
+    file.write_bytes(content[:start] + bytes(end - start) + content[end:])
+    with pytest.raises(VtuError, match="matrix_000001.vtu"):
+        _ = read_vtu(file).points

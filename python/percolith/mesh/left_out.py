@@ -54,10 +54,12 @@ def warn_of_run_together(made: MadeMesh, fractures: Sequence[Fracture],
                          smallest_angle_deg: float) -> None:
     """One CaseWarning where fractures follow others, or sides, over a share of their length worth
     telling, since they meet at less than smallest_angle_deg: of one with what it follows, of
-    several with their number and the worst."""
+    several with their number and the worst. Of random networks, many of whose fractures meet at
+    small angles, nothing is told."""
     followed = _followed(made)
     shares = {number: min(1.0, sum(others.values()) / fractures[number].length)
-              for number, others in followed.items() if number not in made.left_out}
+              for number, others in followed.items()
+              if number not in made.left_out and not fractures[number].is_random}
     told = [number for number, share in shares.items() if share > _SHARE_TOLD]
     if not told:
         return
