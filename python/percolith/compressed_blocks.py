@@ -16,7 +16,7 @@ try:
 except ImportError:
     deflate = None  # files are read without it too, in twice the time
 
-_FEW_BLOCKS = 16  # that are not worth threads
+_FEW_BLOCKS = 4  # that are not worth threads
 _PARTS = 4  # a thread, so that one which others on the machine hold up leaves its work to the rest
 
 
@@ -40,12 +40,13 @@ def unpack(data: memoryview, offset: int) -> np.ndarray:
     if len(data) < ends[-1] or (packed < 0).any():
         raise ValueError("it ends within an array")
     result = np.empty((blocks - 1) * size + (rest or size), "u1")
-    bytes_of, target = decompressor()[0], memoryview(result)
+    bytes_of = decompressor()[0]
 
     def run(first: int, last: int) -> None:
         for block in range(first, last):
-            part = target[block * size:(block + 1) * size]
-            part[:] = bytes_of(data[ends[block]:ends[block + 1]], len(part))
+            part = result[block * size:(block + 1) * size]
+            unpacked = bytes_of(data[ends[block]:ends[block + 1]], len(part))
+            part[:] = np.frombuffer(unpacked, "u1")  # numpy copies without the lock, bytes with it
 
     try:
         if blocks < _FEW_BLOCKS:

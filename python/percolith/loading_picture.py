@@ -16,8 +16,8 @@ _SMALL = 1e-3  # share of the largest work of a reaction below which a boundary 
 # Share of the largest energy of a run below which the work of all reactions is noise. Where fluid
 # presses on a whole ring, or on opposite sides, the reaction is what rounding and an uneven mesh
 # make of zero, and so is the displacement; their product was seen to be 1e-8 to 4e-6 of the energy.
-# It is of the size of the energy wherever a load deforms the rock. Work is compared rather than force,
-# because the end of a slender arm bends under a force far below those inside it.
+# It is of the size of the energy wherever a load deforms the rock. Work is compared rather than
+# force, because the end of a slender arm bends under a force far below those inside it.
 _NOISE = 2e-5
 _FALL = 0.05  # share of the largest reaction that it must lose again to be called a peak
 _MINUS = "\N{MINUS SIGN}"

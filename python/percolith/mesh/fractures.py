@@ -18,7 +18,7 @@ from percolith.mesh.outline import Outline, as_places, require_number
 class Fracture:
     """The trace of a fracture, a line through `points` (n, 2), m. `group` is the name of its curve
     in the mesh; several may share one. is_random: whether a network has it by chance; meshes do not
-    warn of those that they leave out, but of how many follow others."""
+    warn of those that they leave out or run together with others."""
 
     points: np.ndarray
     group: str = "fractures"

@@ -7,8 +7,9 @@
 
 namespace percolith::io {
 
-/// Bytes of a block before compression.
-inline constexpr std::size_t block_size = std::size_t{1} << 15;
+/// Bytes of a block before compression: many enough that readers spend their time on the bytes and
+/// not on the blocks, few enough to lie in the cache of one processor.
+inline constexpr std::size_t block_size = std::size_t{1} << 18;
 
 /// What the bytes are, which decides how to compress them fast.
 enum class Content { integers, reals };
