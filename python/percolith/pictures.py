@@ -49,9 +49,8 @@ def check_field(run: RunDirectory, field: str | None) -> str | None:
         if name in known:
             return name
     needs = "; head needs model.gravity > 0" if without_unit(str(field)) == "head" else ""
-    near = did_you_mean(without_unit(str(field)), known, most=1) or ";"
-    raise RunDirectoryError(f"{run.path}: no {field} in this run{near} there are: "
-                            f"{', '.join(known)}{needs}")
+    raise RunDirectoryError(f"{run.path}: no {field} in this run; there are: {', '.join(known)}"
+                            + did_you_mean(without_unit(str(field)), known, most=1) + needs)
 
 
 def check_scale(run: RunDirectory, scale: float | None) -> None:

@@ -72,8 +72,9 @@ def test_arrays_of_a_later_version_are_drawn_too():
 def test_a_field_that_there_is_not(tunnel, capsys):
     assert plot.main([str(tunnel.path), "--field", "stres_xx"]) == 2
     message = capsys.readouterr().err
-    assert "no stres_xx in this run; did you mean stress_xx? there are: displacement, " in message
-    with pytest.raises(RunDirectoryError, match=r"no stres_xx_Pa in .*; did you mean stress_xx\? "):
+    assert "no stres_xx in this run; there are: displacement, " in message
+    assert message.endswith("; did you mean stress_xx?\n")
+    with pytest.raises(RunDirectoryError, match=r"no stres_xx_Pa in .*; did you mean stress_xx\?$"):
         tunnel.plot("stres_xx_Pa")
     with pytest.raises(RunDirectoryError, match="no pressure in this run"):
         tunnel.plot("pressure")
