@@ -46,6 +46,8 @@ def unpack(data: memoryview, offset: int) -> np.ndarray:
         for block in range(first, last):
             part = result[block * size:(block + 1) * size]
             unpacked = bytes_of(data[ends[block]:ends[block + 1]], len(part))
+            if len(unpacked) != len(part):
+                raise ValueError(f"a block of {len(unpacked)} bytes in place of {len(part)}")
             part[:] = np.frombuffer(unpacked, "u1")  # numpy copies without the lock, bytes with it
 
     try:

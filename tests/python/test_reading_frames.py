@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Field files are unpacked array by array, in parallel, and only as far as they are asked for."""
 
+import struct
 import zlib
 
 import numpy as np
@@ -105,3 +106,9 @@ def test_zeros_in_place_of_the_arrays_are_told(tmp_path):
     file.write_bytes(content[:start] + bytes(end - start) + content[end:])
     with pytest.raises(VtuError, match="matrix_000001.vtu"):
         _ = read_vtu(file).points
+
+
+def test_a_block_of_one_byte_does_not_fill_its_place():
+    block = zlib.compress(b"7")
+    with pytest.raises(ValueError, match="a block of 1 bytes in place of 16"):
+        compressed_blocks.unpack(memoryview(struct.pack("<4Q", 1, 16, 0, len(block)) + block), 0)

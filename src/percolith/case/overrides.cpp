@@ -89,19 +89,16 @@ bool made_by_override(const Entry& entry) {
 
 /// What is wrong with a table that lacks `missing`, of which the file has one named `nearest`.
 std::string no_such_table(std::string_view nearest, const std::string& path,
-                          const std::vector<std::string>& missing) {
-  std::vector<std::string_view> names;
-  for (const std::string_view key : missing) {
-    if (key.size() > path.size()) {
-      names.push_back(key.substr(path.size() + 1));
-    }
+                          const std::vector<InputProblem>& missing) {
+  std::string lacks;
+  for (const InputProblem& problem : missing) {
+    lacks += lacks.empty() ? "" : ", ";
+    lacks += problem.key == path
+                 ? problem.allowed  // one of several options
+                 : fmt::format("\"{}\"", std::string_view(problem.key).substr(path.size() + 1));
   }
-  std::string reason =
-      fmt::format("the file has no such table; the nearest name is \"{}\"", nearest);
-  if (!names.empty()) {
-    reason += "; a new one lacks " + listed(names);
-  }
-  return reason;
+  return fmt::format("the file has no such table; the nearest name is \"{}\"; a new one lacks {}",
+                     nearest, lacks);
 }
 
 void suggest_in(const Entry& kind, Problems& problems) {
@@ -117,9 +114,9 @@ void suggest_in(const Entry& kind, Problems& problems) {
       continue;
     }
     const std::string path = join_key(kind.key, entry.key);
-    const std::vector<std::string> missing = problems.take_missing(path);
+    const std::vector<InputProblem> missing = problems.take_missing(path);
     if (!missing.empty()) {
-      refuse(problems, path, {}, no_such_table(nearest, path, missing), listed(of_file));
+      refuse(problems, path, {}, no_such_table(nearest, path, missing), {});
     }
   }
 }

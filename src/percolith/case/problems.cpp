@@ -27,19 +27,15 @@ void Problems::add_missing(InputProblem problem) {
   add(std::move(problem));
 }
 
-std::vector<std::string> Problems::take_missing(const std::string& path) {
-  std::vector<std::string> keys;
-  const auto is_taken = [&](const InputProblem& problem) {
-    return missing_.count(problem.key) > 0 &&
-           (problem.key == path || problem.key.rfind(path + ".", 0) == 0);
-  };
-  for (const InputProblem& problem : problems_) {
-    if (is_taken(problem)) {
-      keys.push_back(problem.key);
-    }
-  }
-  problems_.erase(std::remove_if(problems_.begin(), problems_.end(), is_taken), problems_.end());
-  return keys;
+std::vector<InputProblem> Problems::take_missing(const std::string& path) {
+  const auto kept =
+      std::stable_partition(problems_.begin(), problems_.end(), [&](const InputProblem& problem) {
+        return missing_.count(problem.key) == 0 ||
+               (problem.key != path && problem.key.rfind(path + ".", 0) != 0);
+      });
+  std::vector<InputProblem> taken(kept, problems_.end());
+  problems_.erase(kept, problems_.end());
+  return taken;
 }
 
 bool Problems::touch(const std::string& key) const {

@@ -25,8 +25,8 @@ public:
   void add(InputProblem problem) { problems_.push_back(std::move(problem)); }
   /// Adds that something required is missing.
   void add_missing(InputProblem problem);
-  /// Takes out what add_missing has added of the table `path`: its keys.
-  [[nodiscard]] std::vector<std::string> take_missing(const std::string& path);
+  /// Takes out what add_missing has added of the table `path`.
+  [[nodiscard]] std::vector<InputProblem> take_missing(const std::string& path);
   /// True where a problem stands at this key, at one that it holds, or at one that holds it.
   [[nodiscard]] bool touch(const std::string& key) const;
   /// Throws InputErrors, in the order of the file, where there are any.
