@@ -16,31 +16,37 @@ steps: results and checkpoints are kept, and the same command goes on with them.
 from __future__ import annotations
 
 import argparse
-import ctypes
 import itertools
 import json
 import os
 import signal
 import subprocess
 import sys
-import tempfile
-import threading
 import warnings
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from contextlib import contextmanager, nullcontext, suppress
-from dataclasses import asdict, dataclass
+from contextlib import nullcontext, suppress
+from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 from percolith import errors
 from percolith.arguments import whole_number
 from percolith.case import Case, Options
-from percolith.errors import CaseError, CaseWarning, Error, FileError, Problem
+from percolith.errors import CaseError, CaseWarning, Error, FileError
 from percolith.run_directory import RunDirectory, Table
 from percolith.short_text import counted
 from percolith.simulation import resume, start_run
+from percolith.sweep_process import (
+    Terminated,
+    as_plain,
+    end_with,
+    error_from,
+    heeding_sigterm,
+    run_elsewhere,
+    warnings_to,
+)
 from percolith.sweep_progress import SweepProgress, Tally, display
 from percolith.sweep_table import table_of
 from percolith.toml_text import plain
@@ -74,7 +80,7 @@ class Point:
     def failure(self) -> Error | None:
         """Why it failed; None where it did not."""
         if (told := _read(self._failure_file)):
-            return _error_from(told)
+            return error_from(told)
         summary = self._summary
         if summary.get("outcome") != "failed":
             return None
@@ -91,7 +97,7 @@ class Point:
 
     def _note_failure(self, error: Error) -> None:
         with suppress(OSError):  # What the point itself raises is of more use.
-            self._failure_file.write_text(json.dumps(_as_plain(error)), encoding="utf-8")
+            self._failure_file.write_text(json.dumps(as_plain(error)), encoding="utf-8")
 
     def _forget_failure(self) -> None:
         with suppress(OSError):  # Where it cannot be removed, nothing can be run either.
@@ -191,7 +197,7 @@ class Sweep:
 
         def work(number: int) -> tuple[int, Error | None, list[str]]:
             tally.begin(number)
-            return number, *_run_elsewhere(self.folder, number, threads, working)
+            return number, *run_elsewhere(self.folder, number, threads, working)
 
         with ThreadPoolExecutor(processes) as pool:
             jobs = [pool.submit(work, number) for number in left]
@@ -227,34 +233,6 @@ class Sweep:
         return table_of(self.points)
 
 
-def _run_elsewhere(folder: Path, number: int, threads: int,
-                   working: set[subprocess.Popen]) -> tuple[Error | None, list[str]]:
-    """Runs a point in a process of its own; returns what went wrong, and what it warned of. The
-    process does not import the program that asks for it."""
-    package = str(Path(__file__).absolute().parent.parent)
-    path = os.pathsep.join([package, *filter(None, [os.environ.get("PYTHONPATH")])])
-    words = [sys.executable, "-W", "ignore", "-m", "percolith.sweeps", str(folder), "--point",
-             str(number), "--threads", str(threads), "--errors", "json", "--parent",
-             str(os.getpid())]
-    # Files, not pipes: those break when this process is killed, just as the run tells of its end.
-    with tempfile.TemporaryFile("w+") as out_file, tempfile.TemporaryFile("w+") as told_file:
-        process = subprocess.Popen(words, stdout=out_file, stderr=told_file,
-                                   env={**os.environ, "PYTHONPATH": path})
-        working.add(process)
-        process.wait()
-        working.discard(process)
-        out, told = (_written(file) for file in (out_file, told_file))
-    lines = out.splitlines()
-    texts = [json.loads(line)["warning"] for line in lines if line.startswith('{"warning"')]
-    if process.returncode == 0:
-        return None, texts
-    try:
-        return _error_from(json.loads(lines[-1])), texts
-    except (ValueError, LookupError, TypeError, AttributeError):
-        return Error(f"point {number}: its process ended with exit code {process.returncode}: "
-                     f"{told.strip()[-1000:]}"), texts
-
-
 def _new(texts: list[str], known: set[str]) -> list[str]:
     """Those warnings that say what none before has said, wherever in a case they say it of: the
     plan has other lines than the case file. `known` holds what has been said."""
@@ -267,11 +245,6 @@ def _new(texts: list[str], known: set[str]) -> list[str]:
     return new
 
 
-def _written(file: IO[str]) -> str:
-    file.seek(0)
-    return file.read()
-
-
 def _read(file: Path) -> dict[str, Any]:
     """What a JSON file holds; empty where there is none that can be read."""
     try:
@@ -279,18 +252,6 @@ def _read(file: Path) -> dict[str, Any]:
     except (OSError, ValueError):
         return {}
     return told if isinstance(told, dict) else {}
-
-
-def _as_plain(error: Error) -> dict[str, Any]:
-    problems = [asdict(problem) for problem in getattr(error, "problems", ())]
-    return {"error": type(error).__name__, "message": str(error), "problems": problems}
-
-
-def _error_from(told: Mapping[str, Any]) -> Error:
-    kind = getattr(errors, told["error"], Error)
-    if issubclass(kind, CaseError):
-        return kind(told["message"], [Problem(**problem) for problem in told["problems"]])
-    return kind(told["message"])
 
 
 def _named(error: Error, number: int) -> Error:
@@ -341,7 +302,7 @@ def sweep(case: Case, options: Mapping[str, Sequence[Any]] | Sequence[Mapping[st
         try:
             for key, value in point.items():
                 other[key] = value
-            with _warnings_to(texts.append):
+            with warnings_to(texts.append):
                 _check(other, seen)
         except Error as error:
             raise _named(error, number) from error
@@ -353,16 +314,6 @@ def sweep(case: Case, options: Mapping[str, Sequence[Any]] | Sequence[Mapping[st
     planned = Sweep(folder)
     planned._warned = warned
     return planned
-
-
-@contextmanager
-def _warnings_to(tell: Callable[[str], object]) -> Iterator[None]:
-    """What a case or a run warns of goes to `tell`, all of it; other warnings go nowhere."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        warnings.simplefilter("always", CaseWarning)
-        warnings.showwarning = lambda message, *_, **__: tell(str(message))
-        yield
 
 
 def _check(case: Case, seen: set[str]) -> None:
@@ -417,50 +368,17 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-class _Terminated(KeyboardInterrupt):
-    """SIGTERM asks for what Ctrl-C does."""
-
-    signal_name = "SIGTERM"  # for the summary and the log of the run that it ends
-
-
-@contextmanager
-def _heeding_sigterm() -> Iterator[None]:
-    def end(number: int, frame: object) -> None:
-        signal.signal(signal.SIGTERM, signal.SIG_IGN)  # Once is enough.
-        raise _Terminated
-
-    if threading.current_thread() is not threading.main_thread():
-        yield  # Signals are not for other threads.
-        return
-    former = signal.signal(signal.SIGTERM, end)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, former)
-
-
-def _end_with(parent: int) -> None:
-    """Has this process get SIGTERM when its parent ends, however that comes about: a run that no
-    one waits for would keep its folder from the next sweep. Nothing like it is elsewhere than on
-    Linux."""
-    if sys.platform == "linux":
-        set_parent_death_signal = 1  # PR_SET_PDEATHSIG
-        ctypes.CDLL(None).prctl(set_parent_death_signal, int(signal.SIGTERM), 0, 0, 0)
-    if os.getppid() != parent:  # It has ended before it could be asked for.
-        raise _Terminated
-
-
 def main(words: list[str] | None = None) -> int:
     """Runs the command; returns 0, 2 where a point or an argument was wrong, and 128 and the number
     of the signal where one ended it."""
     arguments = _parser().parse_args(words)
     try:
-        with _heeding_sigterm():
+        with heeding_sigterm():
             if arguments.parent is not None:
-                _end_with(arguments.parent)
+                end_with(arguments.parent)
             return _run(arguments)
     except KeyboardInterrupt as interrupt:
-        ending = signal.SIGTERM if isinstance(interrupt, _Terminated) else signal.SIGINT
+        ending = signal.SIGTERM if isinstance(interrupt, Terminated) else signal.SIGINT
     _tell(Error(f"{arguments.folder}: ended by {ending.name}; results and checkpoints are kept, and "
                 "the same command goes on with them"), arguments)
     return 128 + ending
@@ -468,7 +386,7 @@ def main(words: list[str] | None = None) -> int:
 
 def _tell(error: Error, arguments: argparse.Namespace) -> None:
     if arguments.errors == "json":
-        print(json.dumps(_as_plain(error)))
+        print(json.dumps(as_plain(error)))
     else:
         print(error, file=sys.stderr)
 
@@ -485,7 +403,7 @@ def _run(arguments: argparse.Namespace) -> int:
                 print(point.number, point.state, json.dumps(point.options))
             return 0
         if arguments.point is not None:
-            heeded = _warnings_to(_tell_warning) if arguments.errors == "json" else nullcontext()
+            heeded = warnings_to(_tell_warning) if arguments.errors == "json" else nullcontext()
             with heeded:
                 chosen.run_point(arguments.point, threads=arguments.threads)
             return 0

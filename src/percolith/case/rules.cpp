@@ -27,24 +27,24 @@ bool Rules::is_known(const std::string& key, const std::vector<std::string>& oth
                      [&](const std::string& other) { return context_.problems.touch(other); });
 }
 
+InputProblem Rules::located(const std::string& key, std::string reason, std::string allowed) const {
+  Written written = context_.locations.nearest(key);
+  return {std::move(written.location), key, std::move(written.value), std::move(reason),
+          std::move(allowed)};
+}
+
 void Rules::fail(const std::string& key, const std::vector<std::string>& others, std::string reason,
                  std::string allowed) {
-  if (is_known(key, others)) {
-    return;
+  if (!is_known(key, others)) {
+    context_.problems.add(located(key, std::move(reason), std::move(allowed)));
   }
-  Written written = context_.locations.nearest(key);
-  context_.problems.add({std::move(written.location), key, std::move(written.value),
-                         std::move(reason), std::move(allowed)});
 }
 
 void Rules::fail_missing(const std::string& key, const std::vector<std::string>& others,
                          std::string reason, std::string allowed) {
-  if (is_known(key, others)) {
-    return;
+  if (!is_known(key, others)) {
+    context_.problems.add_missing(located(key, std::move(reason), std::move(allowed)));
   }
-  Written written = context_.locations.nearest(key);
-  context_.problems.add_missing({std::move(written.location), key, std::move(written.value),
-                                 std::move(reason), std::move(allowed)});
 }
 
 void check_rules(const simulation::Setup& setup, Context& context) {

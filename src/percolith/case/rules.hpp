@@ -35,6 +35,9 @@ public:
 private:
   /// True where `key` or one of the `others` has a problem already.
   [[nodiscard]] bool is_known(const std::string& key, const std::vector<std::string>& others) const;
+  /// A problem of `key` with the place and the value that the user wrote.
+  [[nodiscard]] InputProblem located(const std::string& key, std::string reason,
+                                     std::string allowed) const;
 
   const simulation::Setup& setup_;
   Context& context_;
